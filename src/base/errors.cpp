@@ -1,0 +1,10 @@
+#include "base/errors.h"
+
+namespace partonomy {
+
+std::string at(const std::string& file, long line, const std::string& sentence) {
+    if (line > 0) return file + ":" + std::to_string(line) + ": " + sentence;
+    return file + ": " + sentence;
+}
+
+}  // namespace partonomy

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace partonomy {
+
+using Vec3 = Eigen::Vector3d;
+
+/// One indexed triangle mesh. Every triangle remembers the face of the input file that it was cut from, so that label i
+/// of the output belongs to face i of the input.
+struct TriangleMesh {
+    std::vector<Vec3> positions;                          ///< #V points, in the units of the file
+    std::vector<std::array<std::int32_t, 3>> triangles;   ///< #T vertex indices in [0, #V), counter-clockwise from outside
+    std::vector<std::int32_t> input_faces;                ///< #T input face of each triangle, in [0, input_face_count)
+    std::int32_t input_face_count = 0;                    ///< faces in the file, degenerate ones included
+};
+
+/// The triangle across each edge. Edge e of a triangle runs from its corner e to corner (e + 1) % 3.
+struct Adjacency {
+    std::vector<std::array<std::int32_t, 3>> neighbours;  ///< #T; -1 where the surface is open
+};
+
+/// Per triangle: area and unit outward normal (zero vector when the area is 0).
+struct TriangleGeometry {
+    std::vector<double> areas;
+    std::vector<Vec3> normals;
+    std::vector<Vec3> barycentres;
+};
+
+/// Smallest and largest coordinates over all positions.
+struct Bounds {
+    Vec3 low, high;
+    [[nodiscard]] double diagonal() const { return (high - low).norm(); }
+};
+
+/// Edges shared by two triangles are linked; where more than two meet (non-manifold), triangles are paired by turning
+/// around the edge, so that each pair bounds one solid. O(#T log #T). Deterministic.
+[[nodiscard]] Adjacency build_adjacency(const TriangleMesh& mesh);
+
+[[nodiscard]] TriangleGeometry compute_geometry(const TriangleMesh& mesh);
+
+/// Bounds of a mesh with at least one position.
+[[nodiscard]] Bounds compute_bounds(const TriangleMesh& mesh);
+
+}  // namespace partonomy

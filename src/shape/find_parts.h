@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mesh/triangle_mesh.h"
+#include "shape/oriented_box.h"
+#include "shape/region.h"
+
+namespace partonomy {
+
+/// The lengths that `is a` judges. On a clean mesh they are the smallest box's; noise and a few stray triangles
+/// do not inflate them (each length is measured between the fitted walls, not between the extreme points).
+struct PartRegion {
+    Region region;
+    OrientedBox box;    ///< axes of the smallest box, lengths robust against noise
+    double fit = 1;     ///< mean fitting score of the triangles, in [0, 1] (paper §6.4, Table 4)
+};
+
+struct FindPartsOptions {
+    Vec3 up = Vec3::UnitZ();
+    int threads = 1;
+};
+
+/// What find_parts spends its time on, in milliseconds, in the order of work.
+using StageTimes = std::vector<std::pair<std::string, double>>;
+
+/// Cuts a mesh into board-, stick- and cube-like regions: `find all` of paper §6.4. Each triangle is in at most one
+/// region; regions are connected, sorted by their lowest triangle, and nearly all of the surface is covered.
+/// The result does not depend on the order of the triangles, on their subdivision, or on the number of threads.
+[[nodiscard]] std::vector<PartRegion> find_parts(const TriangleMesh& mesh, const FindPartsOptions& options = {},
+                                                 StageTimes* times = nullptr);
+
+}  // namespace partonomy
