@@ -1,0 +1,79 @@
+#pragma once
+
+#include <compare>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "knowledge/domain.h"
+
+namespace partonomy::knowledge {
+
+/// "Is this variable's value that one?"; the answer is yes or no. For a `number` variable the question is whether the
+/// value lies at or below the upper end of interval `value` (so k intervals make k - 1 questions).
+struct Question {
+    VariableId variable = -1;
+    ValueId value = -1;
+    auto operator<=>(const Question&) const = default;
+};
+
+/// The configurations in which the answer to the question is yes.
+[[nodiscard]] ConfigurationSet yes_set(const Space& space, Question question);
+
+/// How the next question is chosen.
+enum class SplitCriterion {
+    dichotomy,      ///< splits the configurations most evenly (paper §3.3.1)
+    gain_per_cost,  ///< most information about the wanted labels per unit of cost
+};
+
+/// What makes the choice.
+struct PlanOptions {
+    SplitCriterion criterion = SplitCriterion::gain_per_cost;
+    /// Cost of asking, > 0; nullopt when no algorithm can answer. Empty function: every non-primitive question costs 1.
+    std::function<std::optional<double>(Question)> cost;
+    /// A set of configurations is a leaf as soon as every one of these concepts is decided (holds in all of them or in
+    /// none); empty: when one configuration is left.
+    std::vector<ConceptId> wanted;
+};
+
+/// True when nothing wanted is open in `set`.
+[[nodiscard]] bool is_decided(const Space& space, const ConfigurationSet& set, const PlanOptions& options);
+
+/// The question to ask when `set` is what is still possible; nullopt at a leaf, or when no askable question splits it.
+/// Ties go to the lower variable, then the lower value.
+[[nodiscard]] std::optional<Question> best_question(const Space& space, const ConfigurationSet& set,
+                                                    const PlanOptions& options);
+
+/// A node of the tree, which is a DAG: equal sets of configurations share one node.
+struct TreeNode {
+    ConfigurationSet configurations;
+    bool segmented = true;            ///< false: asked of a region not yet cut (only `find all` questions)
+    std::optional<Question> question;
+    int yes = -1, no = -1;            ///< nodes, -1 at a leaf
+    std::vector<ConceptId> asserted;  ///< concepts that hold in every configuration
+    std::vector<ConceptId> excluded;  ///< concepts that hold in none
+};
+
+struct DecisionTree {
+    const Space* space = nullptr;     ///< not owned
+    std::vector<TreeNode> nodes;      ///< node 0 is the root
+    [[nodiscard]] std::size_t depth() const;
+};
+
+/// Builds the whole tree over the possible configurations of `space` (paper §3.3.1, Fig. 7 and 8).
+/// With `find_all` set (cost of each `find all` question, nullopt where there is none), the root stands for the whole
+/// mesh: questions that cut come first; "yes" leads to a cut region, "no" to what remains uncut.
+/// Throws OntologyError when it would have more than `node_limit` nodes.
+[[nodiscard]] DecisionTree build_tree(const Space& space, const PlanOptions& is_a,
+                                      const std::function<std::optional<double>(Question)>& find_all = {},
+                                      std::size_t node_limit = 1'000'000);
+
+/// The tree as JSON (schema in docs/decision-tree.md) and as Graphviz DOT.
+[[nodiscard]] std::string to_json(const DecisionTree& tree, const Domain& domain);
+[[nodiscard]] std::string to_dot(const DecisionTree& tree, const Domain& domain);
+
+/// "is it a Board", "height <= 0.55"; the expert's wording (core:question) where there is one.
+[[nodiscard]] std::string to_text(const Space& space, Question question, const Domain& domain);
+
+}  // namespace partonomy::knowledge

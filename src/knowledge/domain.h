@@ -1,0 +1,123 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "knowledge/configuration_set.h"
+#include "owl/ontology.h"
+
+namespace partonomy::knowledge {
+
+using owl::Iri;
+
+/// Handles into the vectors of a Domain or a Space.
+using VariableId = int;
+using ValueId = int;
+using ConceptId = int;
+
+/// One trapezoid over one measurement, from core:criterion, or core:measure and core:membership.
+struct Criterion {
+    std::string measure;
+    double a1, a2, a3, a4;
+};
+
+/// A value of a range concept: Board, Vertical, Up …
+struct ElementaryConcept {
+    Iri iri;
+    std::vector<Criterion> criteria;  ///< all must hold, the lowest score counts; empty: no algorithm from annotations
+    std::optional<double> cost;
+    std::string question;             ///< core:question, may be empty
+};
+
+/// A kind of feature: Shape, Orientation …
+struct RangeConcept {
+    Iri iri;
+    Iri property;                     ///< the functional property that leads to it
+    std::vector<ElementaryConcept> values;
+    bool covered = false;             ///< declared the (disjoint) union of its values; otherwise "other" completes it
+};
+
+/// A data property whose value is measured (core:measure), cut into intervals at the numbers that axioms mention.
+struct MeasuredProperty {
+    Iri iri;
+    std::string measure;              ///< empty: no algorithm, restrictions on it stay open
+    struct Interval {
+        double low, high;             ///< -inf, inf when unbounded
+        bool low_closed, high_closed;
+        [[nodiscard]] bool has(double x) const;
+    };
+    std::vector<Interval> intervals;  ///< ascending, disjoint, covering the line
+};
+
+enum class VariableKind {
+    range,      ///< one value of a range concept
+    number,     ///< one interval of a measured property
+    primitive,  ///< a named concept without sufficient conditions: holds or not, no question can tell
+    parts,      ///< of an object: has it at least `threshold` parts of a class
+};
+
+/// A feature of a region or of an object with its finitely many values; exactly one holds.
+struct Variable {
+    VariableKind kind;
+    Iri iri;                          ///< of the range concept, data property or concept; empty for `parts`
+    std::vector<std::string> values;  ///< local names or words: "Board", "other", "<= 0.55", "yes"/"no" (yes is value 0)
+    int index = -1;                   ///< into Domain::ranges or Domain::numbers, for those kinds
+    owl::ClassPointer part_class;     ///< for `parts`
+    unsigned threshold = 0;           ///< for `parts`
+};
+
+/// A named concept of a layer and the configurations in which it holds.
+struct Concept {
+    Iri iri;
+    ConfigurationSet where;
+    bool incompatible = false;        ///< below core:Incompatible
+    bool provable = true;             ///< has sufficient conditions
+};
+
+/// The set Ω of all configurations of one layer (paper §3.3.1): every choice of one value for each variable that the axioms
+/// allow, impossible ones (an Incompatible concept holds) left out of `possible`.
+struct Space {
+    std::vector<Variable> variables;
+    std::vector<std::vector<ConfigurationSet>> holds;  ///< [variable][value]
+    std::vector<Concept> concepts;                     ///< sorted by IRI
+    std::size_t size = 0;                              ///< configurations that satisfy the axioms
+    ConfigurationSet possible;                         ///< those in which no incompatible concept holds
+    std::size_t product = 0;                           ///< size of the raw Cartesian product
+
+    [[nodiscard]] std::optional<ConceptId> find(const Iri& iri) const;
+    [[nodiscard]] std::optional<VariableId> find_variable(const Iri& iri) const;
+    [[nodiscard]] ConfigurationSet all() const { return ConfigurationSet(size, true); }
+};
+
+/// What an ontology means for one domain: elementary concepts, and a space for each layer.
+struct Domain {
+    owl::Ontology ontology;
+    std::vector<RangeConcept> ranges;
+    std::vector<MeasuredProperty> numbers;
+    Space regions;                    ///< layer S1: the configurations of one region
+    Space objects;                    ///< layer S2: the configurations of one object, over its `parts` variables
+    /// For each variable of `objects` the configurations of a region that count as such a part; same order.
+    std::vector<ConfigurationSet> part_conditions;
+    /// Named concepts over S0 are in layer 1, those over hasPart in layer 2.
+    [[nodiscard]] int layer(const Iri& iri) const;
+    /// Most specific of `iris`: those without a strict subclass among them; equivalent ones stay together.
+    [[nodiscard]] std::vector<Iri> most_specific(const std::vector<Iri>& iris) const;
+    /// All pairs (sub, super) of distinct satisfiable named concepts of the expert's layers such that sub is entailed to be
+    /// below super, elementary concepts and range concepts included; sorted.
+    [[nodiscard]] std::vector<std::pair<Iri, Iri>> hierarchy() const;
+    /// Named concepts that no configuration satisfies.
+    [[nodiscard]] std::vector<Iri> unsatisfiable() const;
+    std::vector<std::string> warnings;  ///< what a user should know: a property without algorithm …
+};
+
+struct CompileOptions {
+    std::size_t configuration_limit = std::size_t{1} << 22;  ///< configurations a layer may have
+};
+
+/// Finds the layers, grounds the axioms over them, and builds the configuration spaces (design §5, §6; paper §3.2.4, §3.3.1).
+/// Throws OntologyError naming axiom, file and line: a construct that cannot be grounded, a definition that runs in a circle,
+/// a trapezoid out of order, no object concept, an inconsistent layer, too many configurations.
+[[nodiscard]] Domain compile(owl::Ontology ontology, const CompileOptions& options = {});
+
+}  // namespace partonomy::knowledge

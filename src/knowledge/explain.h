@@ -1,0 +1,65 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "knowledge/decision_tree.h"
+
+namespace partonomy::knowledge {
+
+/// One learned answer about one region.
+struct Answer {
+    int region = -1;
+    Question question;  ///< over Domain::regions
+    bool yes = true;
+};
+
+/// What is known about an object: its regions, the answers, and whether more regions may still turn up.
+struct Knowledge {
+    int region_count = 0;
+    bool complete = false;  ///< every part of the object is among the regions
+    std::vector<Answer> answers;
+};
+
+/// What follows from knowledge, layer by layer.
+struct Conclusions {
+    std::vector<ConfigurationSet> regions;  ///< per region: what is still possible (empty: contradiction)
+    ConfigurationSet object;                ///< what is still possible for the object (incompatible ones included)
+    bool contradiction = false;             ///< some set is empty: answers and axioms cannot all hold
+};
+
+/// Propagates answers to part counts and part counts to the object: a class of parts has at least as many members as regions
+/// that must be in it, and, when the knowledge is complete, at most as many as may be.
+[[nodiscard]] Conclusions conclude(const Domain& domain, const Knowledge& knowledge);
+
+/// Concepts of the object layer that hold in every remaining configuration.
+[[nodiscard]] std::vector<ConceptId> entailed(const Space& space, const ConfigurationSet& set);
+
+/// A set of answers and axioms from which nothing can be taken away.
+struct Explanation {
+    std::vector<std::size_t> answers;  ///< indices into Knowledge::answers
+    std::vector<std::size_t> axioms;   ///< indices into Ontology::axioms
+    bool needs_completeness = false;   ///< it also rests on "there are no other parts"
+};
+
+/// Why the object is a `concept_iri` (an Incompatible one, or any concept of the object layer that is entailed), or, with an
+/// empty IRI, why the knowledge is contradictory. Subset-minimal (deletion of one element after the other, in order).
+/// Throws std::invalid_argument when it is not entailed.
+[[nodiscard]] Explanation explain(const Domain& domain, const Knowledge& knowledge, const Iri& concept_iri);
+
+/// The regions to blame for an incompatible concept: those that make true the hasPart restrictions written in the concept's own
+/// definition (the classes it names, such as Chair, are context and not to blame). Ascending.
+[[nodiscard]] std::vector<int> culprits(const Domain& domain, const Knowledge& knowledge, const Iri& concept_iri);
+
+/// A single answer whose change makes the object compatible with respect to `concept_iri`.
+struct Correction {
+    std::size_t answer = 0;   ///< index into Knowledge::answers
+    double cost = 0;          ///< from `costs`: low where the fuzzy score was near the boundary
+};
+
+/// Smallest corrections first; `costs` holds the cost of turning each answer round (same order as Knowledge::answers).
+/// Only single changes are tried.
+[[nodiscard]] std::vector<Correction> corrections(const Domain& domain, const Knowledge& knowledge, const Iri& concept_iri,
+                                                  const std::vector<double>& costs);
+
+}  // namespace partonomy::knowledge
