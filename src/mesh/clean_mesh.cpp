@@ -1,0 +1,181 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/errors.h"
+#include "mesh/edges.h"
+#include "mesh/read_mesh.h"
+#include "mesh/triangulate.h"
+#include "mesh/weld.h"
+#include "mesh/winding.h"
+
+// From the polygons of a file to a mesh that the rest can trust, in this order: weld, triangulate, leave out what has
+// no area and what is there twice, number the vertices that remain in file order, make the winding agree. Each step is
+// linear but for small sorts. Nothing moves: every position that stays has exactly the coordinates of the file.
+
+namespace partonomy {
+namespace {
+
+using Triangle = std::array<std::int32_t, 3>;
+
+std::vector<std::int32_t> weld(const PolygonSoup& soup, const CleanOptions& options, MeshReport& report) {
+    std::vector<bool> used(soup.positions.size(), false);
+    for (const std::int32_t v : soup.corners) used[static_cast<std::size_t>(v)] = true;
+    report.unused_vertices = std::count(used.begin(), used.end(), false);
+    Vec3 low = Vec3::Zero(), high = Vec3::Zero();
+    bool first = true;
+    for (std::size_t v = 0; v < used.size(); ++v) {
+        if (!used[v]) continue;
+        low = first ? soup.positions[v] : Vec3(low.cwiseMin(soup.positions[v]));
+        high = first ? soup.positions[v] : Vec3(high.cwiseMax(soup.positions[v]));
+        first = false;
+    }
+    std::vector<std::int32_t> merged = weld_points(soup.positions, used, options.weld_tolerance * (high - low).norm());
+    for (std::size_t v = 0; v < used.size(); ++v) report.welded_vertices += used[v] && merged[v] != static_cast<int>(v);
+    return merged;
+}
+
+void triangulate(const PolygonSoup& soup, const std::vector<std::int32_t>& merged, TriangleMesh& mesh,
+                 MeshReport& report) {
+    mesh.triangles.reserve(soup.corners.size() - std::min(soup.corners.size(), 2 * (soup.face_starts.size() - 1)));
+    mesh.input_faces.reserve(mesh.triangles.capacity());
+    std::vector<std::int32_t> corners;
+    for (std::size_t f = 0; f + 1 < soup.face_starts.size(); ++f) {
+        corners.clear();
+        for (std::int64_t i = soup.face_starts[f]; i < soup.face_starts[f + 1]; ++i)
+            corners.push_back(merged[static_cast<std::size_t>(soup.corners[static_cast<std::size_t>(i)])]);
+        triangulate_polygon(soup.positions, corners, mesh.triangles);
+        if (mesh.input_faces.size() == mesh.triangles.size()) ++report.degenerate_faces;
+        mesh.input_faces.resize(mesh.triangles.size(), static_cast<std::int32_t>(f));
+    }
+}
+
+/// Leaves the first of the triangles with the same three corners. Twins share their edges, so only triangles around an
+/// edge of more than two, or of two with the same third corner, are compared.
+void drop_duplicates(TriangleMesh& mesh, const EdgeTable& edges, MeshReport& report) {
+    const auto third = [&](std::int32_t h) {
+        return mesh.triangles[static_cast<std::size_t>(h / 3)][static_cast<std::size_t>((h % 3 + 2) % 3)];
+    };
+    std::vector<bool> dropped(mesh.triangles.size(), false);
+    std::vector<std::pair<std::int32_t, std::int32_t>> thirds;  // third corner, triangle
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+        const auto around = edges[e];
+        if (around.size() < 2 || (around.size() == 2 && third(around[0]) != third(around[1]))) continue;
+        thirds.clear();
+        for (const std::int32_t h : around) thirds.emplace_back(third(h), h / 3);
+        std::sort(thirds.begin(), thirds.end());
+        for (std::size_t i = 1; i < thirds.size(); ++i)
+            if (thirds[i].first == thirds[i - 1].first) dropped[static_cast<std::size_t>(thirds[i].second)] = true;
+    }
+    report.duplicate_faces = std::count(dropped.begin(), dropped.end(), true);
+    if (report.duplicate_faces == 0) return;
+    std::size_t kept = 0;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        if (dropped[t]) continue;
+        mesh.triangles[kept] = mesh.triangles[t];
+        mesh.input_faces[kept++] = mesh.input_faces[t];
+    }
+    mesh.triangles.resize(kept);
+    mesh.input_faces.resize(kept);
+}
+
+void number_vertices(const PolygonSoup& soup, TriangleMesh& mesh) {
+    std::vector<std::int32_t> number(soup.positions.size(), -1);
+    for (const Triangle& triangle : mesh.triangles)
+        for (const std::int32_t v : triangle) number[static_cast<std::size_t>(v)] = 0;
+    for (std::size_t v = 0; v < number.size(); ++v) {
+        if (number[v] < 0) continue;
+        number[v] = static_cast<std::int32_t>(mesh.positions.size());
+        mesh.positions.push_back(soup.positions[v]);
+    }
+    for (Triangle& triangle : mesh.triangles)
+        for (std::int32_t& v : triangle) v = number[static_cast<std::size_t>(v)];
+}
+
+/// Counts what is left open; the number of shells comes from joining triangles over all edges.
+void count_edges(const EdgeTable& edges, std::size_t triangle_count, MeshReport& report) {
+    std::vector<std::int32_t> parent(triangle_count);
+    for (std::size_t t = 0; t < triangle_count; ++t) parent[t] = static_cast<std::int32_t>(t);
+    const auto root = [&](std::int32_t t) {
+        auto i = static_cast<std::size_t>(t);
+        while (parent[i] != static_cast<std::int32_t>(i))
+            i = static_cast<std::size_t>(parent[i] = parent[static_cast<std::size_t>(parent[i])]);
+        return static_cast<std::int32_t>(i);
+    };
+    report.shells = static_cast<std::int64_t>(triangle_count);
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+        const auto around = edges[e];
+        report.boundary_edges += around.size() == 1;
+        report.non_manifold_edges += around.size() > 2;
+        for (std::size_t i = 1; i < around.size(); ++i) {
+            const std::int32_t a = root(around[0] / 3), b = root(around[i] / 3);
+            if (a == b) continue;
+            parent[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+            --report.shells;
+        }
+    }
+}
+
+std::string counted(std::int64_t n, const char* one, const char* many) {
+    return n == 1 ? fmt::format("1 {}", one) : fmt::format("{} {}", n, many);
+}
+
+}  // namespace
+
+std::vector<std::string> MeshReport::sentences() const {
+    std::vector<std::string> all = notes;
+    if (welded_vertices > 0)
+        all.push_back(counted(welded_vertices, "vertex lay", "vertices lay") + " at the place of another one and " +
+                      (welded_vertices == 1 ? "was" : "were") + " merged into it.");
+    if (unused_vertices > 0)
+        all.push_back(counted(unused_vertices, "vertex belongs", "vertices belong") + " to no face.");
+    if (degenerate_faces > 0)
+        all.push_back(counted(degenerate_faces, "face has", "faces have") + " no area and will carry no label.");
+    if (duplicate_faces > 0)
+        all.push_back(counted(duplicate_faces, "triangle repeats", "triangles repeat") +
+                      " another one with the same corners; the first was kept.");
+    if (flipped_triangles > 0)
+        all.push_back(counted(flipped_triangles, "triangle was", "triangles were") +
+                      " turned over, to agree with the neighbours and face outward.");
+    if (one_sided_shells > 0)
+        all.push_back(counted(one_sided_shells, "piece of the surface is", "pieces of the surface are") +
+                      " one-sided, like a Moebius strip: inside and outside cannot be told there.");
+    if (cavities > 0)
+        all.push_back(counted(cavities, "closed shell lies", "closed shells lie") +
+                      " inside another one and faces inward: taken for a cavity.");
+    if (boundary_edges > 0)
+        all.push_back("The surface is open: " + counted(boundary_edges, "edge has", "edges have") +
+                      " a triangle on one side only.");
+    if (non_manifold_edges > 0)
+        all.push_back(counted(non_manifold_edges, "edge is", "edges are") + " shared by more than two triangles.");
+    return all;
+}
+
+TriangleMesh clean_mesh(const PolygonSoup& soup, const std::string& name, MeshReport& report,
+                        const CleanOptions& options) {
+    report = MeshReport{};
+    report.notes = soup.notes;
+    report.input_vertices = static_cast<std::int64_t>(soup.positions.size());
+    report.input_faces = soup.face_count();
+    TriangleMesh mesh;
+    mesh.input_face_count = static_cast<std::int32_t>(soup.face_count());
+    if (soup.face_count() > 0) triangulate(soup, weld(soup, options, report), mesh, report);
+    if (mesh.triangles.empty())
+        throw MeshError(at(name, 0,
+                           fmt::format("none of its {} has an area; a mesh needs at least one triangle",
+                                       counted(report.input_faces, "face", "faces"))));
+    if (mesh.triangles.size() > (std::size_t{1} << 31) / 3 - 1)
+        throw MeshError(at(name, 0, "has more than 715 million triangles; cut it into several files"));
+    number_vertices(soup, mesh);
+    EdgeTable edges = build_edges(mesh.triangles, mesh.positions.size());
+    drop_duplicates(mesh, edges, report);
+    if (report.duplicate_faces > 0) edges = build_edges(mesh.triangles, mesh.positions.size());
+    count_edges(edges, mesh.triangles.size(), report);
+    const WindingReport winding = unify_winding(mesh, edges);
+    report.flipped_triangles = winding.flipped;
+    report.cavities = winding.cavities;
+    report.one_sided_shells = winding.one_sided;
+    return mesh;
+}
+
+}  // namespace partonomy
