@@ -32,6 +32,10 @@ struct Conclusions {
 /// that must be in it, and, when the knowledge is complete, at most as many as may be.
 [[nodiscard]] Conclusions conclude(const Domain& domain, const Knowledge& knowledge);
 
+/// The second half of conclude(): what is still possible for an object, given what is possible for each of its regions.
+[[nodiscard]] ConfigurationSet conclude_object(const Domain& domain, const std::vector<ConfigurationSet>& regions,
+                                               bool complete);
+
 /// Concepts of the object layer that hold in every remaining configuration.
 [[nodiscard]] std::vector<ConceptId> entailed(const Space& space, const ConfigurationSet& set);
 

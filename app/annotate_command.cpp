@@ -1,0 +1,207 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <set>
+
+#include "app/commands.h"
+#include "base/errors.h"
+#include "base/files.h"
+#include "expert/annotate.h"
+#include "mesh/read_mesh.h"
+#include "report/write.h"
+#include "report/write_all.h"
+
+namespace partonomy::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+    std::vector<std::string> meshes;
+    OntologyArguments ontology;
+    std::string output = "out";
+    std::string up = "z", unit = "m", strategy = "expert", criterion = "gain-per-cost";
+    std::vector<std::string> formats = {"labels", "json", "ply", "glb", "png", "trace"};
+    int threads = 0;
+    bool quiet = false, json = false;
+};
+
+class Stopwatch {
+public:
+    [[nodiscard]] double lap() {
+        const auto now = std::chrono::steady_clock::now();
+        const double ms = std::chrono::duration<double, std::milli>(now - last_).count();
+        last_ = now;
+        return ms;
+    }
+
+private:
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+/// One line on stderr that is overwritten, when a person is looking.
+class Progress {
+public:
+    explicit Progress(bool quiet) : is_on_(!quiet && ::isatty(STDERR_FILENO)) {}
+    ~Progress() { show(""); }
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+    void show(const std::string& text) const {
+        if (is_on_) fmt::print(stderr, "\r\033[K{}", text);
+    }
+
+private:
+    bool is_on_;
+};
+
+/// Output folder of each mesh; two meshes of the same name cannot share one.
+std::vector<fs::path> output_folders(const Arguments& arguments) {
+    std::vector<fs::path> folders;
+    std::map<std::string, std::string> owners;
+    for (const std::string& mesh : arguments.meshes) {
+        const std::string stem = fs::path(mesh).stem().string();
+        if (const auto [other, is_new] = owners.emplace(stem, mesh); !is_new)
+            throw UsageError(fmt::format("{} and {} would both be written to {}: rename one, or annotate them into two folders",
+                                         other->second, mesh, (fs::path(arguments.output) / stem).string()));
+        folders.push_back(fs::path(arguments.output) / stem);
+    }
+    return folders;
+}
+
+/// An ontology that is ready to be asked.
+struct Knowhow {
+    knowledge::Domain domain;
+    Catalogue catalogue;
+    std::string sha256;
+    double load_ms = 0;
+};
+
+Knowhow load(const OntologyArguments& ontology) {
+    Stopwatch watch;
+    Knowhow knowhow{ontology.load(), {}, sha256(read_file(ontology.path)), 0};
+    knowhow.catalogue = make_catalogue(knowhow.domain);
+    knowhow.load_ms = watch.lap();
+    return knowhow;
+}
+
+Annotation annotate_file(const Arguments& arguments, const Knowhow& knowhow, const std::string& mesh_path,
+                         const fs::path& folder, const Progress& progress) {
+    Stopwatch watch;
+    progress.show(fmt::format("{}: reading", mesh_path));
+    LoadedMesh loaded = read_mesh(mesh_path);
+    const Placement placement{parse_up(arguments.up), parse_unit(arguments.unit)};
+    const Object object = make_object(std::move(loaded.mesh), placement);
+    const double reading_ms = watch.lap();
+
+    progress.show(fmt::format("{}: asking", mesh_path));
+    Annotation annotation = annotate(knowhow.domain, knowhow.catalogue, object,
+                                     {parse_strategy(arguments.strategy), parse_criterion(arguments.criterion),
+                                      arguments.threads});
+    annotation.timings_ms.insert(annotation.timings_ms.begin(),
+                                 {{"load ontology", knowhow.load_ms}, {"read mesh", reading_ms}});
+    annotation.mesh_file = mesh_path;
+    annotation.mesh_sha256 = loaded.sha256;
+    annotation.mesh_faces = object.mesh.input_face_count;
+    annotation.mesh_notes = loaded.report.sentences();
+    annotation.ontology_file = arguments.ontology.path;
+    annotation.ontology_iri = knowhow.domain.ontology.iri;
+    annotation.ontology_sha256 = knowhow.sha256;
+    annotation.up = arguments.up;
+    annotation.unit = placement.metres_per_unit ? arguments.unit : "unknown";
+    annotation.strategy = arguments.strategy;
+
+    progress.show(fmt::format("{}: writing", mesh_path));
+    write_outputs(folder, {arguments.formats.begin(), arguments.formats.end()}, object.mesh, annotation, placement.up,
+                  arguments.threads);
+    return annotation;
+}
+
+std::string summary(const Annotation& annotation, const fs::path& folder) {
+    std::map<std::string, int> counts;
+    for (const AnnotatedPart& part : annotation.parts) ++counts[part.concepts.empty() ? "-" : part.concepts.front()];
+    std::string parts;
+    for (const auto& [name, count] : counts)
+        parts += fmt::format("{}{}{}", parts.empty() ? "" : ", ", name, count > 1 ? fmt::format(" x{}", count) : "");
+    const std::string classes =
+        annotation.classes.empty() ? "not recognised" : fmt::format("{}", fmt::join(annotation.classes, ", "));
+    return fmt::format("{}: {} ({:.2f}): {}; SF {}, SI {} -> {}", annotation.mesh_file, classes, annotation.score,
+                       parts.empty() ? "no parts" : parts, annotation.questions.at("SF"), annotation.questions.at("SI"),
+                       folder.string());
+}
+
+/// At least one class that is no diagnosis.
+bool is_recognised(const Annotation& annotation) {
+    for (const std::string& name : annotation.classes) {
+        bool is_diagnosis = false;
+        for (const Diagnosis& diagnosis : annotation.diagnosis) is_diagnosis |= diagnosis.concept_name == name;
+        if (!is_diagnosis) return true;
+    }
+    return false;
+}
+
+int run_annotate(const Arguments& arguments) {
+    static_cast<void>(parse_up(arguments.up));
+    static_cast<void>(parse_unit(arguments.unit));
+    static_cast<void>(parse_strategy(arguments.strategy));
+    static_cast<void>(parse_criterion(arguments.criterion));
+    const std::vector<fs::path> folders = output_folders(arguments);
+    const Progress progress(arguments.quiet);
+    progress.show("reading " + arguments.ontology.path);
+    const Knowhow knowhow = load(arguments.ontology);
+    progress.show("");
+    if (!arguments.quiet)
+        for (const std::string& warning : knowhow.domain.warnings) fmt::print(stderr, "partonomy: note: {}\n", warning);
+
+    int exit_code = recognised;
+    for (std::size_t i = 0; i < arguments.meshes.size(); ++i) {
+        try {
+            const std::string& mesh = arguments.meshes[i];
+            Annotation annotation = annotate_file(arguments, knowhow, mesh, folders[i], progress);
+            progress.show("");
+            if (!arguments.quiet) {
+                for (const std::string& note : annotation.mesh_notes) fmt::print(stderr, "{}: note: {}\n", mesh, note);
+                fmt::print("{}\n", summary(annotation, folders[i]));
+            }
+            if (arguments.json) fmt::print("{}\n", to_json(annotation));
+            if (exit_code == recognised && (!annotation.consistent || !is_recognised(annotation))) exit_code = incompatible;
+        } catch (const Error& error) {
+            progress.show("");
+            fmt::print(stderr, "partonomy: {}\n", error.what());
+            exit_code = bad_input;
+        }
+    }
+    return exit_code;
+}
+
+}  // namespace
+
+void add_annotate_command(CLI::App& app, Run& run) {
+    auto arguments = std::make_shared<Arguments>();
+    CLI::App& command = *app.add_subcommand("annotate", "cut meshes into named parts");
+    command.add_option("MESH", arguments->meshes, "OFF, OBJ, STL or PLY files")->required();
+    arguments->ontology.add_to(command, false);
+    command.add_option("-o,--output", arguments->output, "folder to write to; each mesh gets a folder of its own in it")
+        ->capture_default_str();
+    command.add_option("--up", arguments->up, "axis that points up: x, -x, y, -y, z, -z")->capture_default_str();
+    command.add_option("--unit", arguments->unit, "unit of the file: m, cm, mm, in; auto leaves questions of size open")
+        ->capture_default_str();
+    command.add_option("--strategy", arguments->strategy, "expert, naive or segment-then-identify")->capture_default_str();
+    command.add_option("--criterion", arguments->criterion, "gain-per-cost or dichotomy")->capture_default_str();
+    command.add_option("--threads", arguments->threads, "threads to use; 0 for all cores")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
+    command.add_option("--format", arguments->formats, "what to write: labels,json,ply,glb,png,trace")
+        ->delimiter(',')
+        ->capture_default_str();
+    command.add_flag("--quiet,-q", arguments->quiet, "print nothing but errors");
+    command.add_flag("--json", arguments->json, "print each annotation on standard output");
+    command.callback([arguments, &run] { run = [arguments] { return run_annotate(*arguments); }; });
+}
+
+}  // namespace partonomy::app

@@ -1,0 +1,30 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "app/commands.h"
+
+namespace partonomy::app {
+
+void add_catalogue_command(CLI::App& app, Run& run) {
+    auto ontology = std::make_shared<OntologyArguments>();
+    CLI::App& command = *app.add_subcommand("catalogue", "every elementary algorithm, its signature and cost; every measure");
+    ontology->add_to(command, true);
+    command.callback([ontology, &run] {
+        run = [ontology] {
+            const knowledge::Domain domain = ontology->load();
+            fmt::print("{:<9} {:<18} {:>5}  {}\n", "signature", "concept", "cost", "how");
+            for (const ElementaryAlgorithm& algorithm : make_catalogue(domain).algorithms)
+                fmt::print("{:<9} {:<18} {:>5}  {}{}\n", algorithm.signature == Signature::find_all ? "SF" : "SI",
+                           algorithm.name, algorithm.cost, algorithm.method,
+                           algorithm.needs_metres ? " (needs a unit)" : "");
+            fmt::print("\n{:<16} {:<8} {}\n", "measure", "unit", "what it is");
+            for (const Measure& measure : all_measures())
+                fmt::print("{:<16} {:<8} {}\n", measure.name, measure.unit, measure.description);
+            return static_cast<int>(recognised);
+        };
+    });
+}
+
+}  // namespace partonomy::app

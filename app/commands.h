@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "algorithms/catalogue.h"
+#include "knowledge/domain.h"
+
+namespace CLI {
+class App;
+}
+
+namespace partonomy::app {
+
+/// Exit codes that users script against.
+enum ExitCode { recognised = 0, bad_input = 1, incompatible = 2 };
+
+/// Each adds its subcommand to the command line; when the user chose it, `run` is set to what does the work and returns the
+/// exit code. Errors leave as exceptions of base/errors.h.
+using Run = std::function<int()>;
+void add_annotate_command(CLI::App& app, Run& run);
+void add_check_command(CLI::App& app, Run& run);
+void add_tree_command(CLI::App& app, Run& run);
+void add_eval_command(CLI::App& app, Run& run);
+void add_explain_command(CLI::App& app, Run& run);
+void add_catalogue_command(CLI::App& app, Run& run);
+
+/// --ontology and --import-dir, as several commands take them.
+struct OntologyArguments {
+    std::string path;
+    std::vector<std::string> import_folders;
+    void add_to(CLI::App& command, bool positional);
+    [[nodiscard]] knowledge::Domain load() const;
+};
+
+}  // namespace partonomy::app

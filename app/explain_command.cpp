@@ -1,0 +1,103 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.h"
+#include "base/errors.h"
+#include "base/files.h"
+
+namespace partonomy::app {
+namespace {
+
+using nlohmann::json;
+
+struct Arguments {
+    std::string folder;
+    int part = 0;
+};
+
+json load(const std::string& folder) {
+    const std::filesystem::path path = std::filesystem::path(folder) / "annotation.json";
+    const json annotation = json::parse(read_file(path), nullptr, false);
+    if (annotation.is_discarded() || !annotation.is_object())
+        throw UsageError(at(path.string(), 0, "is not an annotation; run partonomy annotate again"));
+    return annotation;
+}
+
+bool mentions(const std::string& text, const std::string& part) {
+    for (std::size_t i = text.find(part); i != std::string::npos; i = text.find(part, i + 1))
+        if (i + part.size() == text.size() || !std::isdigit(static_cast<unsigned char>(text[i + part.size()]))) return true;
+    return false;
+}
+
+void explain_part(const json& annotation, const json& part) {
+    const std::string name = fmt::format("part {}", part.at("id").get<int>());
+    const auto concepts = part.at("concepts").get<std::vector<std::string>>();
+    fmt::print("{} is {} (score {:.3f}, {} faces)\n", name,
+               concepts.empty() ? "nothing that the ontology names" : fmt::format("a {}", fmt::join(concepts, ", ")),
+               part.at("score").get<double>(), part.at("faces").get<std::int64_t>());
+    for (const auto& [feature, value] : part.at("features").items())
+        fmt::print("  {}: {}\n", feature, value.get<std::string>());
+    for (const json& entry : annotation.at("trace")) {
+        std::vector<std::string> inferred;
+        for (const json& text : entry.at("inferred"))
+            if (mentions(text.get<std::string>(), name)) inferred.push_back(text.get<std::string>());
+        if (entry.at("region") != name && inferred.empty()) continue;
+        fmt::print("  asked {}: {} (score {:.3f}){}{}\n", entry.at("question").get<std::string>(),
+                   entry.at("answer").get<std::string>(), entry.at("score").get<double>(),
+                   inferred.empty() ? "" : "; so ", fmt::join(inferred, ", "));
+    }
+}
+
+void print_list(const char* title, const json& lines) {
+    if (lines.empty()) return;
+    fmt::print("  {}\n", title);
+    for (const json& line : lines) fmt::print("    {}\n", line.is_string() ? line.get<std::string>() : line.dump());
+}
+
+int run_explain(const Arguments& arguments) {
+    const json annotation = load(arguments.folder);
+    try {
+        const json& object = annotation.at("object");
+        const auto classes = object.at("classes").get<std::vector<std::string>>();
+        if (arguments.part == 0)
+            fmt::print("the object is {}, {} (score {:.3f})\n",
+                       classes.empty() ? "not recognised" : fmt::format("{}", fmt::join(classes, ", ")),
+                       object.at("consistent").get<bool>() ? "consistent" : "incompatible",
+                       object.at("score").get<double>());
+        bool is_found = false;
+        for (const json& part : annotation.at("parts"))
+            if (arguments.part == 0 || part.at("id") == arguments.part) {
+                explain_part(annotation, part);
+                is_found = true;
+            }
+        if (arguments.part != 0 && !is_found)
+            throw UsageError(fmt::format("--part {}: there are parts 1 to {}", arguments.part, annotation.at("parts").size()));
+        for (const json& diagnosis : annotation.at("diagnosis")) {
+            fmt::print("impossible: {}, because of part {}\n", diagnosis.at("concept").get<std::string>(),
+                       fmt::join(diagnosis.at("parts").get<std::vector<int>>(), ", "));
+            if (diagnosis.contains("answers")) print_list("answers that lead to it", diagnosis.at("answers"));
+            print_list("axioms that lead to it", diagnosis.at("axioms"));
+            print_list("cheapest corrections", diagnosis.at("corrections"));
+        }
+        return object.at("consistent").get<bool>() ? recognised : incompatible;
+    } catch (const json::exception& error) {
+        throw UsageError(at(arguments.folder + "/annotation.json", 0,
+                            std::string("is not a complete annotation: ") + error.what()));
+    }
+}
+
+}  // namespace
+
+void add_explain_command(CLI::App& app, Run& run) {
+    auto arguments = std::make_shared<Arguments>();
+    CLI::App& command = *app.add_subcommand("explain", "why a part has its name, or why an object is impossible");
+    command.add_option("DIR", arguments->folder, "folder of one annotated mesh")->required();
+    command.add_option("--part", arguments->part, "only this part");
+    command.callback([arguments, &run] { run = [arguments] { return run_explain(*arguments); }; });
+}
+
+}  // namespace partonomy::app

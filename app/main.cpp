@@ -1,0 +1,51 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+
+#include "app/commands.h"
+#include "base/errors.h"
+#include "knowledge/domain.h"
+
+namespace partonomy::app {
+
+void OntologyArguments::add_to(CLI::App& command, bool positional) {
+    command.add_option(positional ? "ONTOLOGY" : "--ontology,-O", path, "the ontology, Turtle or RDF/XML")->required();
+    command.add_option("--import-dir", import_folders, "folder to search for imported ontologies (repeatable)");
+}
+
+knowledge::Domain OntologyArguments::load() const {
+    owl::LoadOptions options;
+    options.import_folders.assign(import_folders.begin(), import_folders.end());
+    return knowledge::compile(owl::load_ontology(path, options));
+}
+
+}  // namespace partonomy::app
+
+int main(int argc, char** argv) {
+    using namespace partonomy::app;
+    CLI::App app("Cuts 3D meshes into parts and names them, guided by an OWL ontology.", "partonomy");
+    app.set_version_flag("--version", "partonomy " PARTONOMY_VERSION);
+    app.require_subcommand(1);
+    Run run;
+    add_annotate_command(app, run);
+    add_check_command(app, run);
+    add_tree_command(app, run);
+    add_explain_command(app, run);
+    add_eval_command(app, run);
+    add_catalogue_command(app, run);
+    try {
+        app.parse(argc, argv);
+        return run();
+    } catch (const CLI::Success& asked_for_help) {
+        return app.exit(asked_for_help);
+    } catch (const CLI::Error& error) {
+        std::fprintf(stderr, "partonomy: %s; see partonomy --help\n", error.what());
+    } catch (const partonomy::Error& error) {
+        std::fprintf(stderr, "partonomy: %s\n", error.what());
+    } catch (const std::bad_alloc&) {
+        std::fprintf(stderr, "partonomy: out of memory\n");
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "partonomy: internal error, please report it: %s\n", error.what());
+    }
+    return bad_input;
+}

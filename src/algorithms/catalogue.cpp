@@ -1,0 +1,146 @@
+/* The catalogue of elementary algorithms (paper §3.4): which questions can be answered, how, and at what cost.
+ *
+ * `is a` needs no code: the ontology ties a concept to measurements and trapezoids, and the score is the lowest of them
+ * (paper §4.1, §6.3). `find all` exists for the shapes of boxes, as in paper §4.2.2: one segmentation cuts the mesh into
+ * box-like regions, and each `find all` keeps those that are the shape asked for. A number that an axiom mentions
+ * ("height <= 0.55") is answered by its measure; its score falls from 1 to 0 over a tenth of the number at either side. */
+
+#include "algorithms/catalogue.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/errors.h"
+#include "shape/membership.h"
+
+namespace partonomy {
+namespace {
+
+using knowledge::Domain;
+using knowledge::Question;
+using knowledge::Variable;
+using knowledge::VariableKind;
+
+constexpr double find_all_cost = 20;  ///< one `find all` against one `is a`: it browses the whole mesh (paper §5.2.3)
+
+/// Shapes that find_parts cuts: what a region of a box-like partition can be told to be.
+bool has_find_all(const std::string& local_name) {
+    return local_name == "Board" || local_name == "Stick" || local_name == "Cube";
+}
+
+std::size_t edit_distance(const std::string& a, const std::string& b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        std::size_t diagonal = row[0];
+        row[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const std::size_t above = row[j];
+            row[j] = std::min({above + 1, row[j - 1] + 1, diagonal + (a[i - 1] != b[j - 1])});
+            diagonal = above;
+        }
+    }
+    return row.back();
+}
+
+const Measure& require_measure(const Domain& domain, const owl::Iri& iri, const std::string& name) {
+    if (const Measure* measure = find_measure(name)) return *measure;
+    const Measure* nearest = &all_measures()[0];
+    for (const Measure& measure : all_measures())
+        if (edit_distance(name, measure.name) < edit_distance(name, nearest->name)) nearest = &measure;
+    owl::Source source;
+    if (const auto found = domain.ontology.annotations.find(iri); found != domain.ontology.annotations.end())
+        for (const owl::Annotation& annotation : found->second)
+            if (annotation.literal.value.find(name) != std::string::npos) source = annotation.source;
+    throw OntologyError(at(source.file, source.line,
+                           fmt::format("{}: there is no measure \"{}\"; did you mean \"{}\"?", owl::local_name(iri), name,
+                                       nearest->name)));
+}
+
+double number_score(double x, double limit, bool closed) {
+    const double slack = 0.1 * std::max(std::abs(limit), 1e-9);
+    const double score = std::clamp(0.5 + 0.5 * (limit - x) / slack, 0.0, 1.0);
+    return x == limit && !closed ? std::nextafter(0.5, 0.0) : score;
+}
+
+}  // namespace
+
+const ElementaryAlgorithm* Catalogue::find(Signature signature, Question question) const {
+    const auto found = std::find_if(algorithms.begin(), algorithms.end(), [&](const ElementaryAlgorithm& a) {
+        return a.signature == signature && a.question == question;
+    });
+    return found == algorithms.end() ? nullptr : &*found;
+}
+
+Catalogue make_catalogue(const Domain& domain) {
+    Catalogue catalogue;
+    const auto& variables = domain.regions.variables;
+    for (int v = 0; v < static_cast<int>(variables.size()); ++v) {
+        const Variable& variable = variables[static_cast<std::size_t>(v)];
+        if (variable.kind == VariableKind::range) {
+            const knowledge::RangeConcept& range = domain.ranges[static_cast<std::size_t>(variable.index)];
+            for (int i = 0; i < static_cast<int>(range.values.size()); ++i) {
+                const knowledge::ElementaryConcept& value = range.values[static_cast<std::size_t>(i)];
+                if (value.criteria.empty()) continue;
+                bool needs_metres = false;
+                std::string method;
+                for (const knowledge::Criterion& c : value.criteria) {
+                    needs_metres |= require_measure(domain, value.iri, c.measure).needs_metres;
+                    method += fmt::format("{}{} in [{} {} {} {}]", method.empty() ? "" : " and ", c.measure, c.a1, c.a2,
+                                          c.a3, c.a4);
+                }
+                const std::string name = owl::local_name(value.iri);
+                if (range.iri == std::string(owl::core_prefix) + "Shape" && has_find_all(name))
+                    catalogue.algorithms.push_back({Signature::find_all, {v, i}, name,
+                                                    "regions of the box-like partition with " + method, find_all_cost,
+                                                    needs_metres});
+                catalogue.algorithms.push_back(
+                    {Signature::is_a, {v, i}, name, method, value.cost.value_or(1), needs_metres});
+            }
+        } else if (variable.kind == VariableKind::number) {
+            const knowledge::MeasuredProperty& number = domain.numbers[static_cast<std::size_t>(variable.index)];
+            if (number.measure.empty()) continue;
+            const Measure& measure = require_measure(domain, number.iri, number.measure);
+            for (int i = 0; i + 1 < static_cast<int>(number.intervals.size()); ++i) {
+                const auto& interval = number.intervals[static_cast<std::size_t>(i)];
+                const std::string name = fmt::format("{} {} {}", owl::local_name(number.iri),
+                                                     interval.high_closed ? "<=" : "<", interval.high);
+                catalogue.algorithms.push_back(
+                    {Signature::is_a, {v, i}, name, number.measure, 1, measure.needs_metres});
+            }
+        }
+    }
+    return catalogue;
+}
+
+std::optional<double> is_a(const Domain& domain, Question question, const Object& object,
+                           const RegionMeasurements& region) {
+    const Variable& variable = domain.regions.variables[static_cast<std::size_t>(question.variable)];
+    if (variable.kind == VariableKind::range) {
+        const auto& values = domain.ranges[static_cast<std::size_t>(variable.index)].values;
+        if (question.value >= static_cast<int>(values.size())) return std::nullopt;  // "other"
+        const auto& criteria = values[static_cast<std::size_t>(question.value)].criteria;
+        if (criteria.empty()) return std::nullopt;
+        double score = 1;
+        for (const knowledge::Criterion& c : criteria) {
+            const Measure* measure = find_measure(c.measure);
+            if (!measure) return std::nullopt;
+            const std::optional<double> x = evaluate(*measure, object, region);
+            if (!x) return std::nullopt;
+            score = std::min(score, Trapezoid{c.a1, c.a2, c.a3, c.a4}(*x));
+        }
+        return score;
+    }
+    if (variable.kind != VariableKind::number) return std::nullopt;
+    const auto& number = domain.numbers[static_cast<std::size_t>(variable.index)];
+    const Measure* measure = find_measure(number.measure);
+    if (!measure) return std::nullopt;
+    const std::optional<double> x = evaluate(*measure, object, region);
+    if (!x) return std::nullopt;
+    const auto& interval = number.intervals[static_cast<std::size_t>(question.value)];
+    return number_score(*x, interval.high, interval.high_closed);
+}
+
+}  // namespace partonomy

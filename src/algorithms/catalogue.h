@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "algorithms/measures.h"
+#include "algorithms/object.h"
+#include "knowledge/decision_tree.h"
+
+namespace partonomy {
+
+/// The signatures of elementary algorithms (paper §3.4.1) that exist so far.
+enum class Signature {
+    find_all,  ///< SF: all regions that are C, inside a region
+    is_a,      ///< SI: is a region a C
+};
+
+/// One elementary algorithm: it answers one question.
+struct ElementaryAlgorithm {
+    Signature signature;
+    knowledge::Question question;  ///< over Domain::regions
+    std::string name;              ///< local name of the concept: "Board", "height <= 0.55"
+    std::string method;            ///< how it answers, in words
+    double cost;                   ///< relative: an `is a` is 1 unless core:cost says otherwise
+    bool needs_metres;
+};
+
+/// All elementary algorithms for a domain: an `is a` for every elementary concept with criteria and every number that axioms
+/// mention, a `find all` for the box shapes.
+struct Catalogue {
+    std::vector<ElementaryAlgorithm> algorithms;
+    [[nodiscard]] const ElementaryAlgorithm* find(Signature signature, knowledge::Question question) const;
+};
+
+/// Throws OntologyError when core:measure or core:criterion names a measure that does not exist (with the nearest right name).
+[[nodiscard]] Catalogue make_catalogue(const knowledge::Domain& domain);
+
+/// Score in [0, 1] of "the region is what the question says": >= 0.5 means yes. nullopt when nothing can tell: no algorithm, or
+/// no unit. (SI of paper §6.3: the lowest of the concept's trapezoids.)
+[[nodiscard]] std::optional<double> is_a(const knowledge::Domain& domain, knowledge::Question question,
+                                         const Object& object, const RegionMeasurements& region);
+
+}  // namespace partonomy

@@ -1,0 +1,67 @@
+/* The measurements behind `is a` (paper §6.3). Each reads from RegionMeasurements, so asking twice costs nothing.
+ *
+ * End height. The paper compares the highest, central and lowest points of region and object. We look at the end of the
+ * region that is nearer to the object's own end: a region nearer to the ground is judged by its lowest point, one nearer to
+ * the top by its highest point, both as fractions of the object's height. A leg that almost reaches the top of a table is
+ * down (0), its top is up (1), a seat lies in between; a side wall from floor to top stands on the ground, so it is down. */
+
+#include "algorithms/measures.h"
+
+#include <array>
+#include <limits>
+
+namespace partonomy {
+namespace {
+
+double ratio(double a, double b) { return b > 0 ? a / b : std::numeric_limits<double>::infinity(); }
+
+double metres(const Object& object, double length) { return length * object.placement.metres_per_unit.value_or(1); }
+
+double end_height(const Object& object, const RegionMeasurements& region) {
+    const double height = object.high - object.low;
+    if (!(height > 0)) return 0;
+    const double above_ground = (region.low - object.low) / height;
+    const double below_top = (object.high - region.high) / height;
+    return above_ground <= below_top ? above_ground : 1 - below_top;
+}
+
+const std::array<Measure, 11> measures = {{
+    {"l0/l1", "1", "longest over middle length of the smallest oriented box", false,
+     [](const Object&, const RegionMeasurements& r) { return ratio(r.lengths[0], r.lengths[1]); }},
+    {"l1/l2", "1", "middle over shortest length of the smallest oriented box", false,
+     [](const Object&, const RegionMeasurements& r) { return ratio(r.lengths[1], r.lengths[2]); }},
+    {"l0/l2", "1", "longest over shortest length of the smallest oriented box", false,
+     [](const Object&, const RegionMeasurements& r) { return ratio(r.lengths[0], r.lengths[2]); }},
+    {"inclination", "degrees", "angle of a stick's axis, or of the largest side of anything else, to the horizontal", false,
+     [](const Object&, const RegionMeasurements& r) { return r.inclination; }},
+    {"end height", "1", "height of the end that is nearest to the object's own end, 0 ground to 1 top", false, end_height},
+    {"relative height", "1", "height of the middle of the region, 0 ground to 1 top of the object", false,
+     [](const Object& o, const RegionMeasurements& r) { return ((r.low + r.high) / 2 - o.low) / (o.high - o.low); }},
+    {"top height", "m", "height of the region's highest point above the object's lowest", true,
+     [](const Object& o, const RegionMeasurements& r) { return metres(o, r.high - o.low); }},
+    {"length", "m", "longest length of the smallest oriented box", true,
+     [](const Object& o, const RegionMeasurements& r) { return metres(o, r.lengths[0]); }},
+    {"width", "m", "middle length of the smallest oriented box", true,
+     [](const Object& o, const RegionMeasurements& r) { return metres(o, r.lengths[1]); }},
+    {"thickness", "m", "shortest length of the smallest oriented box", true,
+     [](const Object& o, const RegionMeasurements& r) { return metres(o, r.lengths[2]); }},
+    {"area", "m2", "area of the region's surface", true,
+     [](const Object& o, const RegionMeasurements& r) { return metres(o, metres(o, r.area)); }},
+}};
+
+}  // namespace
+
+std::span<const Measure> all_measures() { return measures; }
+
+const Measure* find_measure(const std::string& name) {
+    for (const Measure& measure : measures)
+        if (name == measure.name) return &measure;
+    return nullptr;
+}
+
+std::optional<double> evaluate(const Measure& measure, const Object& object, const RegionMeasurements& region) {
+    if (measure.needs_metres && !object.placement.metres_per_unit) return std::nullopt;
+    return measure.value(object, region);
+}
+
+}  // namespace partonomy

@@ -1,0 +1,113 @@
+/* What the questions of paper §6.3 stand on.
+ *
+ * Inclination. Of a stick, the angle between its long axis and the horizontal plane; of anything else, the angle between
+ * its largest side and the horizontal plane, which the shortest axis is the normal of. So 0 is horizontal and 90 vertical
+ * for both. A block whose lengths are nearly equal has no largest side: of its nearly equal sides the most horizontal one
+ * is taken, so that noise does not turn it over.
+ *
+ * Extent along up. The triangles that reach furthest are left out up to a two-hundredth of the region's area at either
+ * end, so that a sliver that strayed across a border does not change "reaches the ground" into its opposite. On a coarse mesh
+ * no triangle is that small, and nothing is left out. */
+
+#include "algorithms/object.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "base/errors.h"
+
+namespace partonomy {
+namespace {
+
+constexpr double stray_area_fraction = 0.005;
+
+double degrees_above_horizontal(const Vec3& axis, const Vec3& up) {
+    return std::asin(std::min(1.0, std::abs(axis.dot(up)))) * 180 / std::numbers::pi;
+}
+
+double inclination_of(const OrientedBox& box, const Vec3& up) {
+    const double l0 = box.lengths[0], l1 = box.lengths[1], l2 = box.lengths[2];
+    const bool is_stick = l0 >= 2 * l1 && l1 < 2 * l2;
+    if (is_stick) return degrees_above_horizontal(box.axes.col(0), up);
+    constexpr double nearly_equal = 1.25;
+    double steepest_normal = degrees_above_horizontal(box.axes.col(2), up);
+    for (const int i : {1, 0})
+        if (box.lengths[i] < nearly_equal * l2)
+            steepest_normal = std::max(steepest_normal, degrees_above_horizontal(box.axes.col(i), up));
+    return 90 - steepest_normal;
+}
+
+/// The value that all but `spare` of the weight lies at or above, when the pairs (value, weight) ascend.
+double trimmed_end(std::vector<std::pair<double, double>>& ends, double spare) {
+    std::sort(ends.begin(), ends.end());
+    double left = spare;
+    for (const auto& [value, weight] : ends) {
+        left -= weight;
+        if (left < 0) return value;
+    }
+    return ends.back().first;
+}
+
+}  // namespace
+
+Vec3 parse_up(const std::string& word) {
+    static const std::map<std::string, Vec3> words = {
+        {"x", Vec3::UnitX()},   {"+x", Vec3::UnitX()},   {"-x", -Vec3::UnitX()},
+        {"y", Vec3::UnitY()},   {"+y", Vec3::UnitY()},   {"-y", -Vec3::UnitY()},
+        {"z", Vec3::UnitZ()},   {"+z", Vec3::UnitZ()},   {"-z", -Vec3::UnitZ()}};
+    const auto found = words.find(word);
+    if (found == words.end()) throw UsageError("--up " + word + ": unknown axis, use x, -x, y, -y, z or -z");
+    return found->second;
+}
+
+std::optional<double> parse_unit(const std::string& word) {
+    static const std::map<std::string, std::optional<double>> words = {
+        {"m", 1.0}, {"cm", 0.01}, {"mm", 0.001}, {"in", 0.0254}, {"auto", std::nullopt}};
+    const auto found = words.find(word);
+    if (found == words.end()) throw UsageError("--unit " + word + ": unknown unit, use m, cm, mm, in or auto");
+    return found->second;
+}
+
+Object make_object(TriangleMesh mesh, const Placement& placement) {
+    Object object;
+    object.mesh = std::move(mesh);
+    object.geometry = compute_geometry(object.mesh);
+    object.placement = placement;
+    object.low = std::numeric_limits<double>::infinity();
+    object.high = -object.low;
+    for (const auto& triangle : object.mesh.triangles)
+        for (const int v : triangle) {
+            const double z = object.mesh.positions[static_cast<std::size_t>(v)].dot(placement.up);
+            object.low = std::min(object.low, z);
+            object.high = std::max(object.high, z);
+        }
+    return object;
+}
+
+RegionMeasurements measure_region(const Object& object, const PartRegion& part) {
+    RegionMeasurements result;
+    result.lengths = part.box.lengths;
+    result.inclination = inclination_of(part.box, object.placement.up);
+    std::vector<std::pair<double, double>> lows, highs;
+    for (const int t : part.region.triangles) {
+        double low = std::numeric_limits<double>::infinity(), high = -low;
+        for (const int v : object.mesh.triangles[static_cast<std::size_t>(t)]) {
+            const double z = object.mesh.positions[static_cast<std::size_t>(v)].dot(object.placement.up);
+            low = std::min(low, z);
+            high = std::max(high, z);
+        }
+        const double area = object.geometry.areas[static_cast<std::size_t>(t)];
+        result.area += area;
+        lows.emplace_back(low, area);
+        highs.emplace_back(-high, area);
+    }
+    if (!lows.empty()) {
+        result.low = trimmed_end(lows, stray_area_fraction * result.area);
+        result.high = -trimmed_end(highs, stray_area_fraction * result.area);
+    }
+    return result;
+}
+
+}  // namespace partonomy

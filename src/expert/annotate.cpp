@@ -1,0 +1,230 @@
+/* From questions to an annotation: asks by one of the strategies, then decides what every part is called.
+ *
+ * A part is called by the most specific concept that is entailed for it. Where a question that would decide cannot be answered
+ * (no unit, no algorithm), several names stay possible: then the part gets the name that holds in most of the configurations
+ * that are left, its score is that fraction of the shape's, and the annotation lists the assumption among its open questions.
+ * A part for which nothing can hold stays unnamed.
+ *
+ * Score of a part: mean fitting score of its triangles times the `is a` score of its shape (paper §6.4). Score of the
+ * object: mean of its parts' scores by area. */
+
+#include "expert/annotate.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "base/errors.h"
+
+namespace partonomy {
+namespace {
+
+using knowledge::ConceptId;
+using knowledge::Conclusions;
+using knowledge::ConfigurationSet;
+using knowledge::Domain;
+using knowledge::Space;
+using owl::Iri;
+
+/// A part's name as it stands at the end.
+struct Naming {
+    std::vector<Iri> concepts;  ///< that hold, entailed or assumed
+    double certainty = 1;       ///< fraction of the configurations in which an assumed name holds
+};
+
+Naming name_region(const Session& session, const ConfigurationSet& possible) {
+    const Space& space = session.domain().regions;
+    Naming naming;
+    for (const ConceptId c : session.wanted())
+        if (const auto& concept_ = space.concepts[static_cast<std::size_t>(c)]; possible.is_subset_of(concept_.where))
+            naming.concepts.push_back(concept_.iri);
+    if (!naming.concepts.empty() || possible.is_empty()) return naming;
+    std::size_t most = 0;
+    for (const ConceptId c : session.wanted()) {
+        const auto& concept_ = space.concepts[static_cast<std::size_t>(c)];
+        if (concept_.incompatible) continue;
+        if (const std::size_t count = possible.count_common(concept_.where); count > most) {
+            most = count;
+            naming.concepts = {concept_.iri};
+        }
+    }
+    if (most > 0) naming.certainty = static_cast<double>(most) / static_cast<double>(possible.count());
+    return naming;
+}
+
+std::vector<std::string> local_names(const std::vector<Iri>& iris) {
+    std::vector<std::string> names;
+    for (const Iri& iri : iris) names.push_back(owl::local_name(iri));
+    return names;
+}
+
+/// Most specific first, the others after them.
+std::vector<Iri> specific_first(const Domain& domain, const std::vector<Iri>& iris) {
+    std::vector<Iri> sorted = domain.most_specific(iris);
+    for (const Iri& iri : iris)
+        if (std::find(sorted.begin(), sorted.end(), iri) == sorted.end()) sorted.push_back(iri);
+    return sorted;
+}
+
+std::string display_color(const Domain& domain, const Iri& iri) {
+    const auto found = domain.ontology.annotations.find(iri);
+    if (found == domain.ontology.annotations.end()) return {};
+    for (const owl::Annotation& annotation : found->second)
+        if (annotation.property == std::string(owl::core_prefix) + "color") return annotation.literal.value;
+    return {};
+}
+
+AnnotatedPart make_part(const Session& session, int region, const ConfigurationSet& possible, const Naming& naming) {
+    const Domain& domain = session.domain();
+    AnnotatedPart part;
+    part.id = region + 1;
+    const std::vector<Iri> concepts = specific_first(domain, naming.concepts);
+    part.concepts = local_names(concepts);
+    part.triangles = session.part(region).region.triangles;
+    part.score = session.part(region).fit * session.shape_score(region) * naming.certainty;
+    for (std::size_t v = 0; v < domain.regions.variables.size(); ++v) {
+        const knowledge::Variable& variable = domain.regions.variables[v];
+        if (variable.kind != knowledge::VariableKind::range) continue;
+        for (std::size_t i = 0; i < variable.values.size(); ++i)
+            if (possible.is_subset_of(domain.regions.holds[v][i]))
+                part.features[owl::local_name(variable.iri)] = variable.values[i];
+    }
+    for (const Measure& measure : all_measures())
+        if (const auto value = evaluate(measure, session.object(), session.measurements(region)))
+            part.measurements[measure.name] = *value;
+    const double metres = session.object().placement.metres_per_unit.value_or(1);
+    part.area = session.measurements(region).area * metres * metres;
+    if (!concepts.empty()) part.color = display_color(domain, concepts.front());
+    return part;
+}
+
+/// Labels, part ids and scores of the input faces: of the part that holds most of the face's area.
+void label_faces(const Object& object, Annotation& annotation) {
+    const TriangleMesh& mesh = object.mesh;
+    const auto faces = static_cast<std::size_t>(mesh.input_face_count);
+    annotation.labels.assign(faces, "-");
+    annotation.part_of_face.assign(faces, 0);
+    annotation.score_of_face.assign(faces, 0);
+    std::map<std::pair<std::int32_t, int>, double> shares;  // (input face, part index) -> area; only where a face was cut up
+    std::vector<int> first(faces, -2);
+    std::vector<bool> is_mixed(faces, false);
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const auto face = static_cast<std::size_t>(mesh.input_faces[t]);
+        const int part = annotation.part_of_triangle[t];
+        if (first[face] == -2) first[face] = part;
+        else if (first[face] != part) is_mixed[face] = true;
+    }
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+        if (is_mixed[static_cast<std::size_t>(mesh.input_faces[t])])
+            shares[{mesh.input_faces[t], annotation.part_of_triangle[t]}] += object.geometry.areas[t];
+    std::vector<double> largest(faces, -1);
+    for (const auto& [key, area] : shares)
+        if (area > largest[static_cast<std::size_t>(key.first)]) {
+            largest[static_cast<std::size_t>(key.first)] = area;
+            first[static_cast<std::size_t>(key.first)] = key.second;
+        }
+    for (std::size_t face = 0; face < faces; ++face) {
+        if (first[face] < 0) continue;
+        AnnotatedPart& part = annotation.parts[static_cast<std::size_t>(first[face])];
+        annotation.labels[face] = part.concepts.empty() ? "-" : part.concepts.front();
+        annotation.part_of_face[face] = part.id;
+        annotation.score_of_face[face] = static_cast<float>(part.score);
+        ++part.faces;
+    }
+}
+
+/// What is still open for want of an algorithm or a unit.
+std::vector<std::string> open_questions(const Session& session, const std::vector<Naming>& namings) {
+    std::vector<std::string> open;
+    for (int region = 0; region < session.region_count(); ++region) {
+        const Naming& naming = namings[static_cast<std::size_t>(region)];
+        if (naming.certainty < 1)
+            open.push_back(fmt::format("part {} is assumed to be a {}: what would decide it cannot be asked{}", region + 1,
+                                       owl::local_name(naming.concepts.front()),
+                                       session.object().placement.metres_per_unit ? "" : " while the unit is unknown"));
+        else if (session.possible(region).is_empty())
+            open.push_back(fmt::format("part {}: its answers contradict the axioms", region + 1));
+        else if (naming.concepts.empty())
+            open.push_back(fmt::format("part {} is nothing that the ontology names", region + 1));
+    }
+    if (const double fraction = session.uncovered_fraction(); fraction > 0.005)
+        open.push_back(fmt::format("{:.1f} % of the surface is in no part", 100 * fraction));
+    return open;
+}
+
+/// The object, when assumed names count as known.
+ConfigurationSet object_with_assumptions(const Session& session, const Conclusions& known,
+                                         const std::vector<Naming>& namings) {
+    const Domain& domain = session.domain();
+    std::vector<ConfigurationSet> regions = known.regions;
+    for (std::size_t r = 0; r < regions.size(); ++r)
+        if (namings[r].certainty < 1)
+            regions[r] &= domain.regions.concepts[static_cast<std::size_t>(*domain.regions.find(namings[r].concepts.front()))].where;
+    return conclude_object(domain, regions, session.knowledge().complete);
+}
+
+}  // namespace
+
+Strategy parse_strategy(const std::string& word) {
+    if (word == "expert") return Strategy::expert;
+    if (word == "naive") return Strategy::naive;
+    if (word == "segment-then-identify") return Strategy::segment_then_identify;
+    throw UsageError("--strategy " + word + ": unknown strategy, use expert, naive or segment-then-identify");
+}
+
+knowledge::SplitCriterion parse_criterion(const std::string& word) {
+    if (word == "dichotomy") return knowledge::SplitCriterion::dichotomy;
+    if (word == "gain-per-cost") return knowledge::SplitCriterion::gain_per_cost;
+    throw UsageError("--criterion " + word + ": unknown criterion, use dichotomy or gain-per-cost");
+}
+
+Annotation annotate(const Domain& domain, const Catalogue& catalogue, const Object& object,
+                    const AnnotateOptions& options) {
+    const auto start = std::chrono::steady_clock::now();
+    Session session(domain, catalogue, object, options.threads);
+    switch (options.strategy) {
+        case Strategy::expert: run_expert(session, options.criterion); break;
+        case Strategy::naive: run_naive(session); break;
+        case Strategy::segment_then_identify: run_segment_then_identify(session); break;
+    }
+
+    const Conclusions known = conclude(domain, session.knowledge());
+    std::vector<Naming> namings;
+    Annotation annotation;
+    annotation.part_of_triangle.assign(object.mesh.triangles.size(), -1);
+    double area = 0, scored_area = 0;
+    for (int region = 0; region < session.region_count(); ++region) {
+        const ConfigurationSet& possible = known.regions[static_cast<std::size_t>(region)];
+        namings.push_back(name_region(session, possible));
+        annotation.parts.push_back(make_part(session, region, possible, namings.back()));
+        const AnnotatedPart& part = annotation.parts.back();
+        for (const int t : part.triangles) annotation.part_of_triangle[static_cast<std::size_t>(t)] = region;
+        area += part.area;
+        if (!part.concepts.empty()) scored_area += part.area * part.score;
+    }
+    annotation.score = area > 0 ? scored_area / area : 0;
+    label_faces(object, annotation);
+
+    const ConfigurationSet object_set = object_with_assumptions(session, known, namings);
+    std::vector<Iri> classes;
+    for (const ConceptId c : entailed(domain.objects, object_set)) {
+        const Iri& iri = domain.objects.concepts[static_cast<std::size_t>(c)].iri;
+        if (!iri.starts_with(owl::core_prefix)) classes.push_back(iri);
+    }
+    annotation.all_classes = local_names(classes);
+    annotation.classes = local_names(domain.most_specific(classes));
+    annotation.diagnosis = diagnose(session, known);
+    annotation.consistent = annotation.diagnosis.empty();
+    annotation.open_questions = open_questions(session, namings);
+    if (!session.trace.empty() && !annotation.classes.empty())
+        session.trace.back().inferred.push_back("the object is " + fmt::format("{}", fmt::join(annotation.classes, ", ")));
+    annotation.questions = {{"SF", session.find_all_count}, {"SI", session.is_a_count}, {"T", 0}, {"TF", 0}};
+    annotation.trace = std::move(session.trace);
+    for (const auto& [stage, ms] : session.times) annotation.timings_ms.emplace_back("find parts: " + stage, ms);
+    const auto ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    annotation.timings_ms.emplace_back("expert system", ms);
+    return annotation;
+}
+
+}  // namespace partonomy

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace partonomy {
+
+/// One named part of an annotated object.
+struct AnnotatedPart {
+    int id = 0;                                   ///< 1, 2, … in the order of `Annotation::parts`
+    std::vector<std::string> concepts;            ///< local names, most specific first; empty when no concept is known
+    std::vector<std::int32_t> triangles;          ///< of the loaded mesh, ascending
+    std::int64_t faces = 0;                       ///< input faces that carry the part's label
+    double area = 0;                              ///< square metres, or squared file units when the unit is unknown
+    double score = 0;                             ///< [0, 1]
+    std::map<std::string, std::string> features;  ///< range concept -> value, for what is known or inferred
+    std::map<std::string, double> measurements;   ///< metres and degrees
+    std::string color;                            ///< "#rrggbb" to draw it in; empty: choose one
+};
+
+/// One question that the expert system asked, as in the paper's Fig. 13.
+struct TraceEntry {
+    std::string kind;                   ///< "SF", "SI", "T" or "TF"
+    std::string question;               ///< "find all Board in the mesh", "is part 2 Vertical"
+    std::string region;                 ///< what it was asked about: "mesh", "rest", "part 3"
+    std::string answer;                 ///< "4 regions", "yes", "no"
+    double score = 0;                   ///< of the answer
+    std::vector<std::string> inferred;  ///< what followed from it: "part 3 is a Leg", "the object is a Chair"
+    double ms = 0;
+};
+
+/// Why the object is incompatible, and the cheapest way out.
+struct Diagnosis {
+    std::string concept_name;               ///< local name of the incompatible concept, or "contradiction"
+    std::vector<int> parts;                 ///< ids to blame
+    std::vector<std::string> answers;       ///< of the minimal explanation, in words
+    std::vector<std::string> axioms;        ///< of the minimal explanation: Manchester syntax, file and line
+    std::vector<std::string> corrections;   ///< in words, cheapest first
+};
+
+/// All that is known about one object at the end; every output file is written from this one value.
+struct Annotation {
+    std::string mesh_file, mesh_sha256;
+    std::int64_t mesh_faces = 0;             ///< input faces
+    std::vector<std::string> mesh_notes;     ///< what cleaning found
+    std::string ontology_iri, ontology_file, ontology_sha256;
+    std::string up, unit;                    ///< as used: "z", "m"; unit "unknown" when not known
+    std::string strategy;
+    std::vector<std::string> classes;        ///< most specific object classes, incompatible ones included
+    std::vector<std::string> all_classes;    ///< every class that holds
+    bool consistent = true;
+    double score = 0;
+    std::vector<AnnotatedPart> parts;
+    std::vector<std::int32_t> part_of_triangle;  ///< #T index into `parts`, or -1
+    std::vector<std::string> labels;         ///< one per input face: concept, or "-"
+    std::vector<int> part_of_face;           ///< one per input face: part id, 0 for none
+    std::vector<float> score_of_face;        ///< one per input face
+    std::map<std::string, int> questions;    ///< "SF", "SI", "T", "TF" -> algorithms run
+    std::vector<TraceEntry> trace;
+    std::vector<Diagnosis> diagnosis;
+    std::vector<std::string> open_questions; ///< what stayed unanswered, and why
+    std::vector<std::pair<std::string, double>> timings_ms;
+};
+
+}  // namespace partonomy

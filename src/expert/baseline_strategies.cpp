@@ -1,0 +1,75 @@
+/* The two strategies that the paper compares its expert system with (§5.2.3, Table 3). Both ask, of every region, one `is a`
+ * for each elementary concept but the last of its range, which is deduced; of those asked the best score is believed. They
+ * differ in where regions come from: `naive` runs the `find all` of every shape, so shapes need no `is a`;
+ * `segment then identify` takes the regions of a segmentation and asks for the shapes too. */
+
+#include <algorithm>
+
+#include "expert/session.h"
+
+namespace partonomy {
+namespace {
+
+using knowledge::Question;
+using knowledge::Space;
+using knowledge::VariableKind;
+
+/// Asks every value of a range but the last; learns the best one, or the last when none is likely.
+void identify(Session& session, int region, int variable) {
+    const Space& space = session.domain().regions;
+    const int values = static_cast<int>(space.holds[static_cast<std::size_t>(variable)].size());
+    std::vector<std::pair<Question, double>> scores;
+    for (int i = 0; i + 1 < values; ++i)
+        if (const auto score = session.ask_score(region, {variable, i})) scores.push_back({{variable, i}, *score});
+    if (scores.empty()) return;
+    const auto best = std::max_element(scores.begin(), scores.end(),
+                                       [](const auto& a, const auto& b) { return a.second < b.second; });
+    for (const auto& [question, score] : scores) {
+        const bool yes = best->second >= 0.5 && question == best->first;
+        session.learn(region, question, yes, yes ? score : std::max(0.5, 1 - score));
+    }
+}
+
+bool has_find_all(const Session& session, int variable) { return session.find_all_cost({variable, 0}).has_value(); }
+
+void identify_all(Session& session, bool ask_what_find_all_tells) {
+    const auto& variables = session.domain().regions.variables;
+    for (int region = 0; region < session.region_count(); ++region)
+        for (int v = 0; v < static_cast<int>(variables.size()); ++v)
+            if (variables[static_cast<std::size_t>(v)].kind == VariableKind::range &&
+                (ask_what_find_all_tells || !has_find_all(session, v)))
+                identify(session, region, v);
+}
+
+/// Numbers that axioms mention are no elementary concepts: they are asked only where a name still hangs on them.
+void ask_open_numbers(Session& session) {
+    knowledge::PlanOptions plan;
+    plan.wanted = session.wanted();
+    plan.cost = [&](Question question) -> std::optional<double> {
+        const auto& variable = session.domain().regions.variables[static_cast<std::size_t>(question.variable)];
+        return variable.kind == VariableKind::number ? session.is_a_cost(question) : std::nullopt;
+    };
+    for (int region = 0; region < session.region_count(); ++region)
+        while (const auto question = best_question(session.domain().regions, session.possible(region), plan))
+            if (!session.ask(region, *question)) break;
+}
+
+}  // namespace
+
+void run_naive(Session& session) {
+    const auto& variables = session.domain().regions.variables;
+    for (int v = 0; v < static_cast<int>(variables.size()); ++v)
+        for (int i = 0; i < static_cast<int>(variables[static_cast<std::size_t>(v)].values.size()); ++i)
+            if (session.find_all_cost({v, i})) session.find_all({v, i});
+    session.adopt_rest();
+    identify_all(session, false);
+    ask_open_numbers(session);
+}
+
+void run_segment_then_identify(Session& session) {
+    session.adopt_rest();
+    identify_all(session, true);
+    ask_open_numbers(session);
+}
+
+}  // namespace partonomy

@@ -1,0 +1,201 @@
+#include "expert/session.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace partonomy {
+namespace {
+
+using knowledge::Answer;
+using knowledge::ConceptId;
+using knowledge::ConfigurationSet;
+using knowledge::Question;
+using knowledge::Space;
+
+/// Milliseconds since construction.
+class Stopwatch {
+public:
+    [[nodiscard]] double ms() const {
+        return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
+    }
+
+private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+const std::string shape_iri = std::string(owl::core_prefix) + "Shape";
+
+std::string region_name(int region) { return fmt::format("part {}", region + 1); }
+
+std::vector<ConceptId> wanted_concepts(const Space& space) {
+    std::vector<ConceptId> wanted;
+    for (ConceptId c = 0; c < static_cast<ConceptId>(space.concepts.size()); ++c) {
+        const knowledge::Concept& candidate = space.concepts[static_cast<std::size_t>(c)];
+        if (candidate.provable && !candidate.iri.starts_with(owl::core_prefix)) wanted.push_back(c);
+    }
+    return wanted;
+}
+
+}  // namespace
+
+Session::Session(const knowledge::Domain& domain, const Catalogue& catalogue, const Object& object, int threads)
+    : domain_(domain),
+      catalogue_(catalogue),
+      object_(object),
+      threads_(threads),
+      wanted_(wanted_concepts(domain.regions)),
+      rest_possible_(domain.regions.all()) {}
+
+void Session::segment() {
+    if (segmented_) return;
+    segmented_ = true;
+    double covered = 0;
+    for (PartRegion& part : find_parts(object_.mesh, {object_.placement.up, threads_}, &times)) {
+        RegionMeasurements measurements = measure_region(object_, part);
+        covered += measurements.area;
+        rest_.push_back({std::move(part), measurements, {}, {}});
+    }
+    double total = 0;
+    for (const double area : object_.geometry.areas) total += area;
+    uncovered_fraction_ = total > 0 ? std::max(0.0, 1 - covered / total) : 0;
+}
+
+int Session::add_region(Candidate candidate) {
+    parts_.push_back(std::move(candidate.part));
+    measurements_.push_back(candidate.measurements);
+    possible_.push_back(domain_.regions.all());
+    shape_scores_.push_back(1);
+    return region_count() - 1;
+}
+
+int Session::find_all(Question question) {
+    const Stopwatch watch;
+    segment();
+    ++find_all_count;
+    std::vector<Candidate> rest;
+    std::vector<int> found;
+    double lowest = 1;
+    for (Candidate& candidate : rest_) {
+        const double score = is_a(domain_, question, object_, candidate.measurements).value_or(0);
+        if (score >= 0.5) {
+            const int region = add_region(std::move(candidate));
+            learn(region, question, true, score);
+            lowest = std::min(lowest, score * part(region).fit);
+            found.push_back(region);
+        } else {
+            candidate.ruled_out.push_back({-1, question, false});
+            candidate.scores.push_back(1 - score);
+            rest.push_back(std::move(candidate));
+        }
+    }
+    const bool was_whole = rest.size() == rest_.size() + found.size() && find_all_count == 1;
+    rest_ = std::move(rest);
+    rest_possible_ -= yes_set(domain_.regions, question);
+
+    const ElementaryAlgorithm* algorithm = catalogue_.find(Signature::find_all, question);
+    TraceEntry entry;
+    entry.kind = "SF";
+    entry.region = find_all_count == 1 || was_whole ? "mesh" : "rest";
+    entry.question = fmt::format("find all {} in the {}", algorithm ? algorithm->name : "?", entry.region);
+    entry.answer = fmt::format("{} region{}", found.size(), found.size() == 1 ? "" : "s");
+    entry.score = found.empty() ? 1 : lowest;
+    for (const int region : found) {
+        entry.inferred.push_back(fmt::format("{} is cut", region_name(region)));
+        for (std::string& text : consequences(region, domain_.regions.all())) entry.inferred.push_back(std::move(text));
+    }
+    entry.ms = watch.ms();
+    trace.push_back(std::move(entry));
+    return static_cast<int>(found.size());
+}
+
+void Session::adopt_rest() {
+    segment();
+    for (Candidate& candidate : std::exchange(rest_, {})) {
+        const std::vector<Answer> ruled_out = std::move(candidate.ruled_out);
+        const std::vector<double> scores = std::move(candidate.scores);
+        const int region = add_region(std::move(candidate));
+        for (std::size_t i = 0; i < ruled_out.size(); ++i) learn(region, ruled_out[i].question, false, scores[i]);
+        if (!trace.empty())
+            for (std::string& text : consequences(region, domain_.regions.all()))
+                trace.back().inferred.push_back(std::move(text));
+    }
+}
+
+std::optional<double> Session::ask_score(int region, Question question) {
+    const Stopwatch watch;
+    const std::optional<double> score = is_a(domain_, question, object_, measurements(region));
+    if (!score) return std::nullopt;
+    ++is_a_count;
+    TraceEntry entry;
+    entry.kind = "SI";
+    entry.region = region_name(region);
+    entry.question = fmt::format("{}: {}", entry.region, to_text(domain_.regions, question, domain_));
+    entry.answer = *score >= 0.5 ? "yes" : "no";
+    entry.score = *score >= 0.5 ? *score : 1 - *score;
+    entry.ms = watch.ms();
+    trace.push_back(std::move(entry));
+    return score;
+}
+
+std::optional<bool> Session::ask(int region, Question question) {
+    const std::optional<double> score = ask_score(region, question);
+    if (!score) return std::nullopt;
+    const bool yes = *score >= 0.5;
+    const ConfigurationSet before = possible(region);
+    learn(region, question, yes, yes ? *score : 1 - *score);
+    trace.back().inferred = consequences(region, before);
+    return yes;
+}
+
+void Session::learn(int region, Question question, bool yes, double score) {
+    const ConfigurationSet holds = yes_set(domain_.regions, question);
+    if (yes)
+        possible_[index(region)] &= holds;
+    else
+        possible_[index(region)] -= holds;
+    answers_.push_back({region, question, yes});
+    answer_scores_.push_back(score);
+    if (domain_.regions.variables[static_cast<std::size_t>(question.variable)].iri == shape_iri) {
+        double& shape_score = shape_scores_[index(region)];
+        shape_score = yes ? score : std::min(shape_score, score);
+    }
+}
+
+std::vector<std::string> Session::consequences(int region, const ConfigurationSet& before) const {
+    std::vector<std::string> texts;
+    const ConfigurationSet& now = possible(region);
+    const Space& space = domain_.regions;
+    for (const ConceptId c : wanted_) {
+        const knowledge::Concept& concept_ = space.concepts[static_cast<std::size_t>(c)];
+        if (now.is_subset_of(concept_.where) && !before.is_subset_of(concept_.where))
+            texts.push_back(fmt::format("{} is a {}", region_name(region), owl::local_name(concept_.iri)));
+    }
+    for (std::size_t v = 0; v < space.variables.size(); ++v) {
+        if (space.variables[v].kind != knowledge::VariableKind::range) continue;
+        for (std::size_t i = 0; i < space.holds[v].size(); ++i)
+            if (now.is_subset_of(space.holds[v][i]) && !before.is_subset_of(space.holds[v][i]))
+                texts.push_back(fmt::format("{} is {}", region_name(region), space.variables[v].values[i]));
+    }
+    return texts;
+}
+
+knowledge::Knowledge Session::knowledge() const {
+    constexpr double negligible = 0.05;  // of the surface
+    return {region_count(), segmented_ && rest_.empty() && uncovered_fraction_ < negligible, answers_};
+}
+
+std::optional<double> Session::is_a_cost(Question question) const {
+    const ElementaryAlgorithm* algorithm = catalogue_.find(Signature::is_a, question);
+    if (!algorithm || (algorithm->needs_metres && !object_.placement.metres_per_unit)) return std::nullopt;
+    return algorithm->cost;
+}
+
+std::optional<double> Session::find_all_cost(Question question) const {
+    const ElementaryAlgorithm* algorithm = catalogue_.find(Signature::find_all, question);
+    if (!algorithm) return std::nullopt;
+    return algorithm->cost;
+}
+
+}  // namespace partonomy

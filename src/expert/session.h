@@ -1,0 +1,109 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "algorithms/catalogue.h"
+#include "expert/annotation.h"
+#include "knowledge/explain.h"
+
+namespace partonomy {
+
+/// One object under questioning: the regions cut so far, what was answered, and what follows from it. A strategy decides what
+/// to ask; the session runs the algorithm, counts it, learns the answer, and writes the trace.
+class Session {
+public:
+    /// All four must outlive the session.
+    Session(const knowledge::Domain& domain, const Catalogue& catalogue, const Object& object, int threads);
+
+    /// SF: cuts all regions out of the uncut rest that are what the question says. Returns how many.
+    int find_all(knowledge::Question question);
+
+    /// SI: asks whether a region is what the question says, and learns the answer. nullopt when no algorithm can tell.
+    std::optional<bool> ask(int region, knowledge::Question question);
+
+    /// SI without learning: the score, counted and traced. For strategies that compare scores before they believe one.
+    std::optional<double> ask_score(int region, knowledge::Question question);
+
+    /// Learns an answer that needs no algorithm (deduced), or one whose score is already known.
+    void learn(int region, knowledge::Question question, bool yes, double score);
+
+    /// Takes every candidate that no question has cut as a region, with what is known of the rest.
+    void adopt_rest();
+
+    [[nodiscard]] bool has_rest() const { return !rest_.empty(); }
+    [[nodiscard]] const knowledge::ConfigurationSet& rest_possible() const { return rest_possible_; }
+    [[nodiscard]] int region_count() const { return static_cast<int>(parts_.size()); }
+    /// What a region can still be.
+    [[nodiscard]] const knowledge::ConfigurationSet& possible(int region) const { return possible_[index(region)]; }
+    [[nodiscard]] const PartRegion& part(int region) const { return parts_[index(region)]; }
+    [[nodiscard]] const RegionMeasurements& measurements(int region) const { return measurements_[index(region)]; }
+    /// Score of `is a` for the region's shape: of its own answer, or of the lowest answer that ruled the others out.
+    [[nodiscard]] double shape_score(int region) const { return shape_scores_[index(region)]; }
+
+    [[nodiscard]] knowledge::Knowledge knowledge() const;
+    /// Score in [0.5, 1] of each answer in knowledge().answers.
+    [[nodiscard]] const std::vector<double>& answer_scores() const { return answer_scores_; }
+
+    /// Costs of the questions that can be answered on a cut region; for knowledge::PlanOptions.
+    [[nodiscard]] std::optional<double> is_a_cost(knowledge::Question question) const;
+    /// The same for `find all`.
+    [[nodiscard]] std::optional<double> find_all_cost(knowledge::Question question) const;
+
+    /// Concepts of a region that an answer is wanted for: those that the expert defined.
+    [[nodiscard]] const std::vector<knowledge::ConceptId>& wanted() const { return wanted_; }
+
+    [[nodiscard]] const knowledge::Domain& domain() const { return domain_; }
+    [[nodiscard]] const Object& object() const { return object_; }
+    /// Fraction of the surface that is in no candidate region.
+    [[nodiscard]] double uncovered_fraction() const { return uncovered_fraction_; }
+
+    std::vector<TraceEntry> trace;
+    int find_all_count = 0, is_a_count = 0;
+    StageTimes times;
+
+private:
+    struct Candidate {
+        PartRegion part;
+        RegionMeasurements measurements;
+        std::vector<knowledge::Answer> ruled_out;  ///< answers "no" of the `find all`s that it was not found by
+        std::vector<double> scores;                ///< of those answers
+    };
+    static std::size_t index(int region) { return static_cast<std::size_t>(region); }
+    void segment();
+    int add_region(Candidate candidate);
+    std::vector<std::string> consequences(int region, const knowledge::ConfigurationSet& before) const;
+
+    const knowledge::Domain& domain_;
+    const Catalogue& catalogue_;
+    const Object& object_;
+    int threads_;
+    bool segmented_ = false;
+    double uncovered_fraction_ = 0;
+    std::vector<knowledge::ConceptId> wanted_;
+
+    std::vector<Candidate> rest_;  ///< candidate regions that no question has cut out
+    knowledge::ConfigurationSet rest_possible_;
+
+    std::vector<PartRegion> parts_;  ///< the regions, in the order in which they were cut
+    std::vector<RegionMeasurements> measurements_;
+    std::vector<knowledge::ConfigurationSet> possible_;
+    std::vector<double> shape_scores_;
+    std::vector<knowledge::Answer> answers_;
+    std::vector<double> answer_scores_;
+};
+
+/// How an object is questioned; the paper's Table 3 compares them.
+enum class Strategy {
+    expert,                 ///< the decision tree, walked online
+    naive,                  ///< every `find all` of the shapes, then every other `is a` on every region
+    segment_then_identify,  ///< regions from a segmentation, then every `is a` on every region
+};
+
+/// Asks until everything wanted is known or nothing more can be answered.
+void run_expert(Session& session, knowledge::SplitCriterion criterion);
+void run_naive(Session& session);
+void run_segment_then_identify(Session& session);
+
+}  // namespace partonomy
