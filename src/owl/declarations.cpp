@@ -1,0 +1,149 @@
+#include "owl/declarations.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "base/errors.h"
+
+namespace partonomy::owl {
+namespace {
+
+/// What `x rdf:type word` declares x to be. The characteristics that only object properties have declare one, as in
+/// OWL 1.
+std::optional<EntityKind> declared_by(Word word) {
+    switch (word) {
+        case Word::owl_Class:
+        case Word::rdfs_Class:
+        case Word::owl_DeprecatedClass:
+            return EntityKind::klass;
+        case Word::owl_ObjectProperty:
+        case Word::owl_InverseFunctionalProperty:
+        case Word::owl_TransitiveProperty:
+        case Word::owl_SymmetricProperty:
+        case Word::owl_AsymmetricProperty:
+        case Word::owl_ReflexiveProperty:
+        case Word::owl_IrreflexiveProperty:
+            return EntityKind::object_property;
+        case Word::owl_DatatypeProperty:
+            return EntityKind::data_property;
+        case Word::owl_AnnotationProperty:
+        case Word::owl_OntologyProperty:
+            return EntityKind::annotation_property;
+        case Word::owl_NamedIndividual:
+            return EntityKind::individual;
+        case Word::rdfs_Datatype:
+        case Word::owl_DataRange:
+            return EntityKind::datatype;
+        default:
+            return std::nullopt;
+    }
+}
+
+/// Least number of letters to insert, remove or change.
+std::size_t edit_distance(const std::string& a, const std::string& b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        std::size_t diagonal = row[0]++;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const std::size_t above = row[j];
+            row[j] = std::min({row[j] + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0 : 1)});
+            diagonal = above;
+        }
+    }
+    return row[b.size()];
+}
+
+}  // namespace
+
+Declarations::Declarations() {
+    const auto declare = [this](EntityKind kind, const char* prefix, std::initializer_list<const char*> names) {
+        for (const char* name : names) add(std::string(prefix) + name, kind);
+    };
+    declare(EntityKind::klass, owl_prefix, {"Thing", "Nothing"});
+    declare(EntityKind::object_property, owl_prefix, {"topObjectProperty", "bottomObjectProperty"});
+    declare(EntityKind::data_property, owl_prefix, {"topDataProperty", "bottomDataProperty"});
+    declare(EntityKind::annotation_property, rdfs_prefix, {"label", "comment", "seeAlso", "isDefinedBy"});
+    declare(EntityKind::annotation_property, owl_prefix,
+            {"deprecated", "versionInfo", "versionIRI", "priorVersion", "backwardCompatibleWith", "incompatibleWith"});
+    declare(EntityKind::datatype, owl_prefix, {"real", "rational"});
+    declare(EntityKind::datatype, rdf_prefix, {"PlainLiteral", "XMLLiteral", "langString"});
+    declare(EntityKind::datatype, rdfs_prefix, {"Literal"});
+    declare(EntityKind::datatype, xsd_prefix,
+            {"string",
+             "normalizedString",
+             "token",
+             "language",
+             "Name",
+             "NCName",
+             "NMTOKEN",
+             "boolean",
+             "decimal",
+             "integer",
+             "nonNegativeInteger",
+             "nonPositiveInteger",
+             "positiveInteger",
+             "negativeInteger",
+             "long",
+             "int",
+             "short",
+             "byte",
+             "unsignedLong",
+             "unsignedInt",
+             "unsignedShort",
+             "unsignedByte",
+             "double",
+             "float",
+             "hexBinary",
+             "base64Binary",
+             "anyURI",
+             "dateTime",
+             "dateTimeStamp",
+             "date",
+             "time"});
+}
+
+bool Declarations::has(const Iri& iri, EntityKind kind) const {
+    const auto found = kinds_.find(iri);
+    return found != kinds_.end() && (found->second >> static_cast<unsigned>(kind) & 1U) != 0;
+}
+
+void Declarations::collect(const Graph& graph, std::vector<Entity>& entities) {
+    for (const Triple& triple : graph.triples) {
+        const Term& subject = graph.terms[triple.subject];
+        if (subject.kind != TermKind::iri || graph.terms[triple.predicate].word != Word::rdf_type) continue;
+        const std::optional<EntityKind> kind = declared_by(graph.terms[triple.object].word);
+        if (!kind) continue;
+        add(subject.value, *kind);
+        entities.push_back({*kind, subject.value, {graph.file, triple.line}});
+        const auto refuse_both = [&](EntityKind one, EntityKind other, const char* what) {
+            if (!has(subject.value, one) || !has(subject.value, other)) return;
+            throw OntologyError(
+                at(graph.file, triple.line,
+                   local_name(subject.value) + " is declared both " + what + "; OWL 2 allows one of them"));
+        };
+        refuse_both(EntityKind::object_property, EntityKind::data_property, "an object property and a data property");
+        refuse_both(EntityKind::klass, EntityKind::datatype, "a class and a datatype");
+    }
+}
+
+std::string Declarations::suggestion(const Iri& iri, EntityKind kind) const {
+    const std::string name = local_name(iri);
+    if (name.empty() || name.size() > 100) return {};
+    std::size_t best = name.size() / 3 + 1;
+    std::string nearest;
+    for (const auto& [candidate, kinds] : kinds_) {
+        if ((kinds >> static_cast<unsigned>(kind) & 1U) == 0 || candidate == iri) continue;
+        const std::string other = local_name(candidate);
+        const std::size_t apart = other.size() > name.size() ? other.size() - name.size() : name.size() - other.size();
+        if (apart >= best || other.size() > 150) continue;
+        const std::size_t distance = edit_distance(name, other);
+        if (distance < best) {
+            best = distance;
+            nearest = other == name ? between("<", candidate, ">") : other;
+        }
+    }
+    return nearest.empty() ? "" : " (did you mean " + nearest + "?)";
+}
+
+}  // namespace partonomy::owl

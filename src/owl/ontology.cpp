@@ -1,0 +1,68 @@
+#include "owl/ontology.h"
+
+#include <algorithm>
+
+#include "base/errors.h"
+#include "base/files.h"
+#include "owl/declarations.h"
+#include "owl/imports.h"
+
+namespace partonomy::owl {
+namespace {
+
+Ontology merge(Documents&& documents) {
+    Ontology ontology;
+    ontology.iri = documents.iri;
+    ontology.imports = std::move(documents.imports);
+    Declarations declarations;
+    for (const Graph& graph : documents.graphs) declarations.collect(graph, ontology.entities);
+    for (const Graph& graph : documents.graphs) map_axioms(graph, declarations, ontology);
+
+    std::ranges::stable_sort(ontology.entities, [](const Entity& a, const Entity& b) {
+        return std::tie(a.iri, a.kind) < std::tie(b.iri, b.kind);
+    });
+    const auto repeated = std::ranges::unique(
+        ontology.entities, [](const Entity& a, const Entity& b) { return a.iri == b.iri && a.kind == b.kind; });
+    ontology.entities.erase(repeated.begin(), repeated.end());
+    if (ontology.iri.empty() && ontology.entities.empty() && ontology.axioms.empty()) {
+        throw OntologyError(at(documents.graphs.back().file, 0,
+                               "holds statements but no ontology; declare owl:Ontology, or classes as owl:Class"));
+    }
+    return ontology;
+}
+
+}  // namespace
+
+std::string local_name(const Iri& iri) {
+    const std::size_t cut = iri.find_last_of("#/");
+    return cut == std::string::npos ? iri : iri.substr(cut + 1);
+}
+
+const Entity* Ontology::find(const Iri& wanted, EntityKind kind) const {
+    const auto found = std::ranges::lower_bound(entities, std::tie(wanted, kind), {},
+                                                [](const Entity& entity) { return std::tie(entity.iri, entity.kind); });
+    return found != entities.end() && found->iri == wanted && found->kind == kind ? &*found : nullptr;
+}
+
+std::string Ontology::label(const Iri& subject, const std::string& language) const {
+    const auto found = annotations.find(subject);
+    if (found == annotations.end()) return local_name(subject);
+    const std::string* plain = nullptr;
+    for (const Annotation& annotation : found->second) {
+        if (annotation.property != "http://www.w3.org/2000/01/rdf-schema#label" || !annotation.iri.empty()) continue;
+        if (annotation.literal.language == language) return annotation.literal.value;
+        if (annotation.literal.language.empty() && plain == nullptr) plain = &annotation.literal.value;
+    }
+    return plain != nullptr ? *plain : local_name(subject);
+}
+
+Ontology load_ontology(const std::filesystem::path& path, const LoadOptions& options) {
+    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+    return merge(read_with_imports(read_file(path), path.string(), folder, options.import_folders));
+}
+
+Ontology parse_ontology(const std::string& bytes, const std::string& name) {
+    return merge(read_with_imports(bytes, name, std::nullopt, {}));
+}
+
+}  // namespace partonomy::owl
