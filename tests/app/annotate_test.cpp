@@ -1,0 +1,131 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "app/run_program.h"
+#include "base/files.h"
+#include "examples/objects.h"
+#include "mesh/write_off.h"
+
+namespace partonomy {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+const ExampleObject& object(const std::string& name) {
+    static const std::vector<ExampleObject> objects = paper_objects();
+    return *std::find_if(objects.begin(), objects.end(), [&](const ExampleObject& o) { return o.name == name; });
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    std::size_t start = 0;
+    for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n', start)) {
+        lines.push_back(text.substr(start, end - start));
+        start = end + 1;
+    }
+    return lines;
+}
+
+TEST(Annotate, BenchEndToEnd) {
+    const TemporaryFolder folder;
+    folder.write("bench.off", to_off(object("bench").mesh));
+    const ProgramResult result = run_partonomy({"annotate", "bench.off", "--ontology", furniture_path(), "-o", "out"}, folder.path());
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(result.err, "");
+    EXPECT_NE(result.out.find("Bench"), std::string::npos) << result.out;
+    for (const char* name : {"labels.txt", "annotation.json", "annotation.ply", "annotation.glb", "preview.png", "trace.txt"})
+        EXPECT_GT(fs::file_size(folder.path() / "out/bench" / name), 20U) << name;
+
+    const std::vector<std::string> labels = lines_of(read_file(folder.path() / "out/bench/labels.txt"));
+    EXPECT_EQ(labels, object("bench").labels);
+
+    const json annotation = json::parse(read_file(folder.path() / "out/bench/annotation.json"));
+    EXPECT_EQ(annotation.at("mesh").at("faces"), 36);
+    EXPECT_EQ(annotation.at("mesh").at("sha256"), sha256(to_off(object("bench").mesh)));
+    EXPECT_EQ(annotation.at("ontology").at("iri"), "https://w3id.org/partonomy/furniture");
+    EXPECT_EQ(annotation.at("ontology").at("sha256"), sha256(read_file(furniture_path())));
+    EXPECT_EQ(annotation.at("object").at("classes"), json::array({"Bench"}));
+    EXPECT_EQ(annotation.at("object").at("consistent"), true);
+    EXPECT_GT(annotation.at("object").at("score"), 0.9);
+    ASSERT_EQ(annotation.at("parts").size(), 4U);
+    std::int64_t faces = 0;
+    for (const json& part : annotation.at("parts")) {
+        for (const char* key : {"id", "concepts", "faces", "area", "score", "features", "measurements"})
+            EXPECT_TRUE(part.contains(key)) << key;
+        EXPECT_EQ(part.at("features").at("Shape"), "Board");
+        faces += part.at("faces").get<std::int64_t>();
+    }
+    EXPECT_EQ(faces, 36);
+    for (const char* key : {"SF", "SI", "T", "TF"}) EXPECT_TRUE(annotation.at("questions").contains(key)) << key;
+    ASSERT_FALSE(annotation.at("trace").empty());
+    for (const json& entry : annotation.at("trace"))
+        for (const char* key : {"question", "region", "answer", "score", "inferred", "ms"}) EXPECT_TRUE(entry.contains(key)) << key;
+    EXPECT_TRUE(annotation.at("diagnosis").empty());
+    EXPECT_FALSE(annotation.at("timings_ms").empty());
+}
+
+TEST(Annotate, ImpossibleObjectIsExplained) {
+    const TemporaryFolder folder;
+    folder.write("strange.off", to_off(object("strange-object2").mesh));
+    const ProgramResult result =
+        run_partonomy({"annotate", "strange.off", "--ontology", furniture_path(), "-o", "out", "--quiet"}, folder.path());
+    EXPECT_EQ(result.exit_code, 2) << result.err;
+    EXPECT_EQ(result.out + result.err, "");
+    const json annotation = json::parse(read_file(folder.path() / "out/strange/annotation.json"));
+    EXPECT_EQ(annotation.at("object").at("classes"), json::array({"Chair", "FootIncompatibleFurnitures"}));
+    EXPECT_EQ(annotation.at("object").at("consistent"), false);
+    ASSERT_EQ(annotation.at("diagnosis").size(), 1U);
+    const json& diagnosis = annotation.at("diagnosis")[0];
+    EXPECT_EQ(diagnosis.at("concept"), "FootIncompatibleFurnitures");
+    ASSERT_EQ(diagnosis.at("parts").size(), 1U);
+    for (const json& part : annotation.at("parts"))
+        if (part.at("id") == diagnosis.at("parts")[0]) {
+            EXPECT_EQ(part.at("features").at("Shape"), "Board");
+            EXPECT_EQ(part.at("concepts")[0], "Leg");
+        }
+    EXPECT_FALSE(diagnosis.at("axioms").empty());
+    EXPECT_FALSE(diagnosis.at("corrections").empty());
+
+    const ProgramResult why = run_partonomy({"explain", "out/strange"}, folder.path());
+    EXPECT_EQ(why.exit_code, 2);
+    EXPECT_NE(why.out.find("impossible: FootIncompatibleFurnitures"), std::string::npos) << why.out;
+}
+
+TEST(Annotate, SameBytesOnAnyNumberOfThreads) {
+    const TemporaryFolder folder;
+    folder.write("chair2.off", to_off(object("chair2").mesh));
+    for (const char* threads : {"1", "2", "0"}) {
+        ASSERT_EQ(run_partonomy({"annotate", "chair2.off", "--ontology", furniture_path(), "-o", std::string("out") + threads,
+                                 "--threads", threads}, folder.path()).exit_code, 0);
+        for (const char* name : {"labels.txt", "annotation.ply", "annotation.glb", "preview.png"})
+            EXPECT_EQ(sha256(read_file(folder.path() / (std::string("out") + threads) / "chair2" / name)),
+                      sha256(read_file(folder.path() / "out1/chair2" / name)))
+                << name << " on " << threads << " threads";
+    }
+}
+
+TEST(Annotate, OnlyTheFormatsAskedFor) {
+    const TemporaryFolder folder;
+    folder.write("bench.off", to_off(object("bench").mesh));
+    ASSERT_EQ(run_partonomy({"annotate", "bench.off", "--ontology", furniture_path(), "-o", "out", "--format", "labels,json"},
+                            folder.path()).exit_code, 0);
+    EXPECT_TRUE(fs::exists(folder.path() / "out/bench/labels.txt"));
+    EXPECT_TRUE(fs::exists(folder.path() / "out/bench/annotation.json"));
+    EXPECT_FALSE(fs::exists(folder.path() / "out/bench/preview.png"));
+}
+
+TEST(Annotate, UnknownUnitLeavesSizesOpen) {
+    const TemporaryFolder folder;
+    folder.write("bench.off", to_off(object("bench").mesh));
+    ASSERT_NE(run_partonomy({"annotate", "bench.off", "--ontology", furniture_path(), "-o", "out", "--unit", "auto"},
+                            folder.path()).exit_code, 1);
+    const json annotation = json::parse(read_file(folder.path() / "out/bench/annotation.json"));
+    for (const json& part : annotation.at("parts")) EXPECT_FALSE(part.at("features").contains("Modular"));
+    EXPECT_EQ(lines_of(read_file(folder.path() / "out/bench/labels.txt")), object("bench").labels);
+}
+
+}  // namespace
+}  // namespace partonomy

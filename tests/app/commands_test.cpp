@@ -1,0 +1,107 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "app/run_program.h"
+#include "base/files.h"
+#include "examples/objects.h"
+#include "mesh/write_off.h"
+
+namespace partonomy {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+TEST(Check, FurnitureIsFine) {
+    const TemporaryFolder folder;
+    const ProgramResult text = run_partonomy({"check", furniture_path()}, folder.path());
+    EXPECT_EQ(text.exit_code, 0) << text.out << text.err;
+    EXPECT_NE(text.out.find("nothing wrong found"), std::string::npos) << text.out;
+    const ProgramResult result = run_partonomy({"check", furniture_path(), "--json"}, folder.path());
+    EXPECT_EQ(result.exit_code, 0);
+    const json report = json::parse(result.out);
+    const auto hierarchy = report.at("hierarchy").get<std::vector<std::vector<std::string>>>();
+    const auto has = [&](const std::vector<std::string>& pair) {
+        return std::find(hierarchy.begin(), hierarchy.end(), pair) != hierarchy.end();
+    };
+    EXPECT_TRUE(has({"Armchair", "Chair"}));
+    EXPECT_TRUE(has({"Chair", "Furniture"}));
+    EXPECT_TRUE(has({"FootIncompatibleFurnitures", "Chair"}));
+    EXPECT_FALSE(has({"Chair", "Armchair"}));
+    EXPECT_TRUE(report.at("unsatisfiable").empty());
+}
+
+TEST(Check, NamesWhatIsWrong) {
+    const TemporaryFolder folder;
+    folder.write("o.ttl",
+                 "@prefix : <http://example.org/d#> .\n@prefix owl: <http://www.w3.org/2002/07/owl#> .\n"
+                 "@prefix rdfs: <http://www.w3.org/2000/01/rdf-schema#> .\n@prefix core: <https://w3id.org/partonomy/core#> .\n"
+                 "<http://example.org/d> a owl:Ontology ; owl:imports <https://w3id.org/partonomy/core> .\n"
+                 ":Both a owl:Class ; rdfs:subClassOf core:Region ; owl:equivalentClass [ owl:intersectionOf ( core:Region\n"
+                 "  [ a owl:Restriction ; owl:onProperty core:hasShape ; owl:someValuesFrom core:Board ]\n"
+                 "  [ a owl:Restriction ; owl:onProperty core:hasShape ; owl:someValuesFrom core:Cube ] ) ] .\n"
+                 ":Leg a owl:Class ; rdfs:subClassOf core:Region .\n"
+                 ":Thing a owl:Class ; rdfs:subClassOf core:Object ; owl:equivalentClass\n"
+                 "  [ a owl:Restriction ; owl:onProperty core:hasPart ; owl:someValuesFrom :Leg ] .\n");
+    const ProgramResult result = run_partonomy({"check", "o.ttl"}, folder.path());
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_NE(result.out.find("nothing can ever be a Both"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("Leg has only necessary conditions"), std::string::npos) << result.out;
+}
+
+TEST(Tree, JsonAndDot) {
+    const TemporaryFolder folder;
+    for (const char* criterion : {"dichotomy", "gain-per-cost"}) {
+        ASSERT_EQ(run_partonomy({"tree", furniture_path(), "-o", "tree.json", "--criterion", criterion}, folder.path()).exit_code, 0);
+        const json tree = json::parse(read_file(folder.path() / "tree.json"));
+        EXPECT_FALSE(tree.at("nodes").empty());
+    }
+    ASSERT_EQ(run_partonomy({"tree", furniture_path(), "-o", "tree.dot"}, folder.path()).exit_code, 0);
+    EXPECT_TRUE(read_file(folder.path() / "tree.dot").starts_with("digraph"));
+}
+
+TEST(Catalogue, ListsAlgorithmsAndMeasures) {
+    const TemporaryFolder folder;
+    const ProgramResult result = run_partonomy({"catalogue", furniture_path()}, folder.path());
+    EXPECT_EQ(result.exit_code, 0);
+    for (const char* text : {"SF", "SI", "Board", "M43", "inclination", "needs a unit"})
+        EXPECT_NE(result.out.find(text), std::string::npos) << text;
+}
+
+TEST(Explain, OnePartOrAll) {
+    const TemporaryFolder folder;
+    folder.write("bench.off", to_off(paper_objects().front().mesh));
+    ASSERT_EQ(run_partonomy({"annotate", "bench.off", "--ontology", furniture_path(), "-o", "out"}, folder.path()).exit_code, 0);
+    const ProgramResult all = run_partonomy({"explain", "out/bench"}, folder.path());
+    EXPECT_EQ(all.exit_code, 0) << all.err;
+    const ProgramResult one = run_partonomy({"explain", "out/bench", "--part", "1"}, folder.path());
+    EXPECT_EQ(one.exit_code, 0);
+    EXPECT_NE(one.out.find("part 1 is a"), std::string::npos);
+    EXPECT_EQ(one.out.find("part 2 is a"), std::string::npos);
+    EXPECT_EQ(run_partonomy({"explain", "out/bench", "--part", "9"}, folder.path()).exit_code, 1);
+}
+
+TEST(Eval, AgainstTheTruthOfTheExamples) {
+    const TemporaryFolder folder;
+    fs::create_directories(folder.path() / "truth");
+    std::vector<std::string> annotate = {"annotate"};
+    for (const ExampleObject& object : paper_objects()) {
+        folder.write(object.name + ".off", to_off(object.mesh));
+        std::string labels;
+        for (const std::string& label : object.labels) labels += (label == "Leg" ? "foot" : label) + "\n";
+        folder.write("truth/" + object.name + ".labels.txt", labels);
+        annotate.push_back(object.name + ".off");
+    }
+    annotate.insert(annotate.end(), {"--ontology", furniture_path(), "-o", "out", "-q"});
+    ASSERT_EQ(run_partonomy(annotate, folder.path()).exit_code, 2);  // strange-object2 is among them
+    const ProgramResult result = run_partonomy({"eval", "out", "--truth", "truth", "--names", "foot=Leg", "--json"}, folder.path());
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const json report = json::parse(result.out);
+    EXPECT_EQ(report.at("meshes").size(), 7U);
+    EXPECT_EQ(report.at("mean_area_accuracy"), 1.0);
+}
+
+}  // namespace
+}  // namespace partonomy
