@@ -8,7 +8,7 @@
 #include "examples/solid.h"
 
 // The paper shows its seven meshes only as small pictures; Table 1 gives their numbers of parts and triangles. A closed
-// surface of genus g with V vertices has F = 2 V - 4 + 4 g triangles however it is triangulated, so the tables's F
+// surface of genus g with V vertices has F = 2 V - 4 + 4 g triangles however it is triangulated, so the table's F
 // fixes V:
 //
 //   object           parts    F      V   g   made of (vertices that each part adds)

@@ -92,30 +92,6 @@ void number_vertices(const PolygonSoup& soup, TriangleMesh& mesh) {
         for (std::int32_t& v : triangle) v = number[static_cast<std::size_t>(v)];
 }
 
-/// Counts what is left open; the number of shells comes from joining triangles over all edges.
-void count_edges(const EdgeTable& edges, std::size_t triangle_count, MeshReport& report) {
-    std::vector<std::int32_t> parent(triangle_count);
-    for (std::size_t t = 0; t < triangle_count; ++t) parent[t] = static_cast<std::int32_t>(t);
-    const auto root = [&](std::int32_t t) {
-        auto i = static_cast<std::size_t>(t);
-        while (parent[i] != static_cast<std::int32_t>(i))
-            i = static_cast<std::size_t>(parent[i] = parent[static_cast<std::size_t>(parent[i])]);
-        return static_cast<std::int32_t>(i);
-    };
-    report.shells = static_cast<std::int64_t>(triangle_count);
-    for (std::size_t e = 0; e < edges.size(); ++e) {
-        const auto around = edges[e];
-        report.boundary_edges += around.size() == 1;
-        report.non_manifold_edges += around.size() > 2;
-        for (std::size_t i = 1; i < around.size(); ++i) {
-            const std::int32_t a = root(around[0] / 3), b = root(around[i] / 3);
-            if (a == b) continue;
-            parent[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
-            --report.shells;
-        }
-    }
-}
-
 std::string counted(std::int64_t n, const char* one, const char* many) {
     return n == 1 ? fmt::format("1 {}", one) : fmt::format("{} {}", n, many);
 }
@@ -170,11 +146,15 @@ TriangleMesh clean_mesh(const PolygonSoup& soup, const std::string& name, MeshRe
     EdgeTable edges = build_edges(mesh.triangles, mesh.positions.size());
     drop_duplicates(mesh, edges, report);
     if (report.duplicate_faces > 0) edges = build_edges(mesh.triangles, mesh.positions.size());
-    count_edges(edges, mesh.triangles.size(), report);
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+        report.boundary_edges += edges[e].size() == 1;
+        report.non_manifold_edges += edges[e].size() > 2;
+    }
     const WindingReport winding = unify_winding(mesh, edges);
     report.flipped_triangles = winding.flipped;
     report.cavities = winding.cavities;
     report.one_sided_shells = winding.one_sided;
+    report.shells = winding.shells;
     return mesh;
 }
 

@@ -6,10 +6,10 @@
 
 // Ear clipping (Meisters 1975) in the plane of the polygon's mean normal (Newell's sum). A convex corner is an ear when
 // no corner that is not convex lies in its triangle. Small polygons give the fattest ear first, since slivers spoil
-// normals later; large ones take every other corner in turn. Cost: corners x non-convex corners, and O(n^2) for the
-// small ones, n <= 64. Corners in line with their neighbours are not dropped, because the face across the edge may use
-// them too. Polygons that cross themselves have no right answer: where no ear is left, the best convex corner is cut
-// all the same.
+// normals later; large ones take every other corner in turn, and look up the corners that are not convex in a grid. Cost:
+// O(n^2) for the small ones, n <= 64; nearly linear for large shapes that people draw, corners x non-convex corners at
+// worst. Corners in line with their neighbours are not dropped, because the face across the edge may use them too.
+// Polygons that cross themselves have no right answer: where no ear is left, the best convex corner is cut all the same.
 
 namespace partonomy {
 namespace {
@@ -30,6 +30,57 @@ Vec3 newell_normal(std::span<const Vec3> points) {
     return normal;
 }
 
+/// Corners that may lie in an ear, in a grid with about one of them a cell.
+class Blockers {
+public:
+    void fill(const std::vector<Vec2>& points, const std::vector<std::size_t>& which) {
+        low_ = high_ = points[which.empty() ? 0 : which.front()];
+        for (const std::size_t i : which) low_ = low_.cwiseMin(points[i]), high_ = high_.cwiseMax(points[i]);
+        const Vec2 size = high_ - low_;
+        const double n = static_cast<double>(std::max<std::size_t>(which.size(), 1));
+        const double cell = std::max(std::sqrt(size.prod() / n), size.maxCoeff() / n);
+        if (which.size() > 16 && cell > 0) {
+            per_unit_ = 1 / cell;
+            for (int axis = 0; axis < 2; ++axis) cells_[axis] += static_cast<std::size_t>(size[axis] * per_unit_);
+        }
+        lists_.resize(cells_[0] * cells_[1]);
+        for (const std::size_t i : which)
+            lists_[index(points[i].x(), 0) + cells_[0] * index(points[i].y(), 1)].push_back(i);
+    }
+
+    /// Whether `blocks(corner, forget)` holds for a corner near the box; those with `forget` set are dropped.
+    template <class Test>
+    bool any(const Vec2& low, const Vec2& high, const Test& blocks) {
+        if ((low.array() > high_.array()).any() || (high.array() < low_.array()).any()) return false;
+        for (std::size_t y = index(low.y(), 1); y <= index(high.y(), 1); ++y)
+            for (std::size_t x = index(low.x(), 0); x <= index(high.x(), 0); ++x) {
+                std::vector<std::size_t>& list = lists_[x + cells_[0] * y];
+                for (std::size_t k = 0; k < list.size();) {
+                    bool forget = false;
+                    if (blocks(list[k], forget)) return true;
+                    if (!forget) {
+                        ++k;
+                        continue;
+                    }
+                    list[k] = list.back();
+                    list.pop_back();
+                }
+            }
+        return false;
+    }
+
+private:
+    [[nodiscard]] std::size_t index(double value, int axis) const {
+        const double place = (value - low_[axis]) * per_unit_;
+        return place <= 0 ? 0 : std::min(static_cast<std::size_t>(place), cells_[axis] - 1);
+    }
+
+    Vec2 low_, high_;
+    double per_unit_ = 0;
+    std::array<std::size_t, 2> cells_{1, 1};
+    std::vector<std::vector<std::size_t>> lists_;
+};
+
 /// The polygon that remains, as a ring.
 class EarClipper {
 public:
@@ -44,8 +95,10 @@ public:
         previous_.resize(n);
         gone_.assign(n, false);
         for (std::size_t i = 0; i < n; ++i) next_[i] = (i + 1) % n, previous_[(i + 1) % n] = i;
+        std::vector<std::size_t> blockers;
         for (std::size_t i = 0; i < n; ++i)
-            if (turn(i) <= flat_) blockers_.push_back(i);
+            if (turn(i) <= flat_) blockers.push_back(i);
+        blockers_.fill(points_, blockers);
     }
 
     void run() {
@@ -70,21 +123,13 @@ private:
         if (turn(i) <= flat_) return false;
         const Vec2 &a = points_[previous_[i]], &b = points_[i], &c = points_[next_[i]];
         const Vec2 low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
-        for (std::size_t k = 0; k < blockers_.size();) {
-            const std::size_t j = blockers_[k];
-            if (gone_[j] || turn(j) > flat_) {  // once convex, a corner stays so
-                blockers_[k] = blockers_.back();
-                blockers_.pop_back();
-                continue;
-            }
-            ++k;
+        return !blockers_.any(low, high, [&](std::size_t j, bool& forget) {
+            forget = gone_[j] || turn(j) > flat_;  // once convex, a corner stays so
             ++tests_;
             const Vec2& p = points_[j];
-            if (p.x() < low.x() || p.x() > high.x() || p.y() < low.y() || p.y() > high.y()) continue;
-            if (p == a || p == b || p == c) continue;
-            if (cross(a, b, p) >= 0 && cross(b, c, p) >= 0 && cross(c, a, p) >= -flat_) return false;
-        }
-        return true;
+            if (forget || p == a || p == b || p == c) return false;
+            return cross(a, b, p) >= 0 && cross(b, c, p) >= 0 && cross(c, a, p) >= -flat_;
+        });
     }
 
     /// Area over the sum of squared sides: 0.14 for equal sides, near 0 for slivers.
@@ -127,13 +172,15 @@ private:
     std::span<const std::int32_t> ids_;
     std::vector<std::array<std::int32_t, 3>>& triangles_;
     std::size_t left_;
-    std::vector<std::size_t> next_, previous_, blockers_;
+    std::vector<std::size_t> next_, previous_;
+    Blockers blockers_;  ///< the corners that are not convex
     std::vector<bool> gone_;
     double flat_ = 0;
     std::int64_t tests_ = 0;
 };
 
-/// The shorter diagonal that leaves both triangles facing the quad's way; false when there is none.
+/// The shorter diagonal that leaves both triangles facing the quad's way; false when there is none. Of equal ones that
+/// with the smallest vertex, so that the two sides of a sheet are cut alike.
 bool split_quad(std::span<const Vec3> p, std::span<const std::int32_t> v,
                 std::vector<std::array<std::int32_t, 3>>& triangles) {
     const Vec3 normal = newell_normal(p);
@@ -142,7 +189,9 @@ bool split_quad(std::span<const Vec3> p, std::span<const std::int32_t> v,
     };
     const bool by_02 = fits(0, 1, 2) && fits(0, 2, 3), by_13 = fits(0, 1, 3) && fits(1, 2, 3);
     if (!by_02 && !by_13) return false;
-    if (by_02 && (!by_13 || (p[2] - p[0]).squaredNorm() <= (p[3] - p[1]).squaredNorm())) {
+    const double length_02 = (p[2] - p[0]).squaredNorm(), length_13 = (p[3] - p[1]).squaredNorm();
+    const bool prefer_02 = length_02 != length_13 ? length_02 < length_13 : std::min(v[0], v[2]) < std::min(v[1], v[3]);
+    if (by_02 && (!by_13 || prefer_02)) {
         triangles.push_back({v[0], v[1], v[2]});
         triangles.push_back({v[0], v[2], v[3]});
     } else {

@@ -193,6 +193,32 @@ std::int64_t turn_closed(const TriangleMesh& mesh, Patches& all) {
     return cavities;
 }
 
+/// Patches that meet at an edge of more than two triangles belong to one shell.
+std::int64_t count_shells(const Patches& all, const EdgeTable& edges) {
+    std::vector<std::size_t> patch_of(all.order.size()), parent(all.patches.size());
+    for (std::size_t p = 0; p < parent.size(); ++p) {
+        parent[p] = p;
+        for (std::size_t i = all.patches[p].first; i < all.patches[p].last; ++i)
+            patch_of[static_cast<std::size_t>(all.order[i])] = p;
+    }
+    const auto root = [&](std::int32_t half_edge) {
+        std::size_t p = patch_of[static_cast<std::size_t>(half_edge / 3)];
+        while (parent[p] != p) p = parent[p] = parent[parent[p]];
+        return p;
+    };
+    auto shells = static_cast<std::int64_t>(all.patches.size());
+    for (std::size_t e = 0; e < edges.size() && shells > 1; ++e) {
+        const auto around = edges[e];
+        for (std::size_t i = 1; i < around.size() && around.size() > 2; ++i) {
+            const std::size_t a = root(around[0]), b = root(around[i]);
+            if (a == b) continue;
+            parent[std::max(a, b)] = std::min(a, b);
+            --shells;
+        }
+    }
+    return shells;
+}
+
 }  // namespace
 
 WindingReport unify_winding(TriangleMesh& mesh, const EdgeTable& edges) {
@@ -201,6 +227,7 @@ WindingReport unify_winding(TriangleMesh& mesh, const EdgeTable& edges) {
     for (Patch& patch : all.patches) measure(mesh, all, patch);
     WindingReport report;
     report.one_sided = all.one_sided;
+    report.shells = all.patches.size() > 1 ? count_shells(all, edges) : static_cast<std::int64_t>(all.patches.size());
     report.cavities = turn_closed(mesh, all);
     for (Patch& patch : all.patches) {
         if (!patch.closed && patch.vector_area_ratio < nearly_closed && patch.file_volume < 0)
