@@ -28,6 +28,17 @@ public:
     ConfigurationSet& operator-=(const ConfigurationSet& other);
     [[nodiscard]] ConfigurationSet complement() const;
 
+    /// Calls `visit(i)` for each configuration in the set, ascending.
+    template <typename Visit>
+    void for_each(Visit&& visit) const {
+        for (std::size_t w = 0; w < words_.size(); ++w)
+            for (std::uint64_t word = words_[w]; word != 0; word &= word - 1)
+                visit(w * 64 + static_cast<std::size_t>(std::countr_zero(word)));
+    }
+    /// This set in the smaller space that only has the configurations of `kept`, renumbered in their order.
+    [[nodiscard]] ConfigurationSet packed(const ConfigurationSet& kept) const;
+    [[nodiscard]] std::size_t hash() const;
+
     friend ConfigurationSet operator&(ConfigurationSet a, const ConfigurationSet& b) { return a &= b; }
     friend ConfigurationSet operator|(ConfigurationSet a, const ConfigurationSet& b) { return a |= b; }
     friend ConfigurationSet operator-(ConfigurationSet a, const ConfigurationSet& b) { return a -= b; }

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "knowledge/configuration_set.h"
@@ -65,6 +66,7 @@ struct Variable {
     int index = -1;                   ///< into Domain::ranges or Domain::numbers, for those kinds
     owl::ClassPointer part_class;     ///< for `parts`
     unsigned threshold = 0;           ///< for `parts`
+    bool answerable = true;           ///< false for `primitive`, and for a `number` that has no core:measure
 };
 
 /// A named concept of a layer and the configurations in which it holds.
@@ -90,6 +92,9 @@ struct Space {
     [[nodiscard]] ConfigurationSet all() const { return ConfigurationSet(size, true); }
 };
 
+/// The axioms in the form in which they are evaluated; for compile, conclude and explain only (theory.h).
+struct Grounding;
+
 /// What an ontology means for one domain: elementary concepts, and a space for each layer.
 struct Domain {
     owl::Ontology ontology;
@@ -97,18 +102,22 @@ struct Domain {
     std::vector<MeasuredProperty> numbers;
     Space regions;                    ///< layer S1: the configurations of one region
     Space objects;                    ///< layer S2: the configurations of one object, over its `parts` variables
-    /// For each variable of `objects` the configurations of a region that count as such a part; same order.
+    /// For each variable of `objects` the configurations of a region that count as such a part; same order. Empty set for
+    /// primitive concepts.
     std::vector<ConfigurationSet> part_conditions;
-    /// Named concepts over S0 are in layer 1, those over hasPart in layer 2.
+    /// Named concepts over S0 are in layer 1, those over hasPart in layer 2; range concepts and their values in layer 0;
+    /// -1 for anything else.
     [[nodiscard]] int layer(const Iri& iri) const;
-    /// Most specific of `iris`: those without a strict subclass among them; equivalent ones stay together.
+    /// Most specific of `iris`: those without a strict subclass among them; equivalent ones stay together. A diagnosis hides
+    /// diagnoses only: a Chair that is FootIncompatibleFurnitures is both (paper Fig. 14).
     [[nodiscard]] std::vector<Iri> most_specific(const std::vector<Iri>& iris) const;
     /// All pairs (sub, super) of distinct satisfiable named concepts of the expert's layers such that sub is entailed to be
-    /// below super, elementary concepts and range concepts included; sorted.
+    /// below super; elementary concepts, range concepts, core:Feature, Region, Object and Incompatible included; sorted.
     [[nodiscard]] std::vector<std::pair<Iri, Iri>> hierarchy() const;
     /// Named concepts that no configuration satisfies.
     [[nodiscard]] std::vector<Iri> unsatisfiable() const;
     std::vector<std::string> warnings;  ///< what a user should know: a property without algorithm …
+    std::shared_ptr<const Grounding> grounding;  ///< set by compile; copies of a domain share it
 };
 
 struct CompileOptions {

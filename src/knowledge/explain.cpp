@@ -1,0 +1,180 @@
+#include "knowledge/explain.h"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+#include <stdexcept>
+
+#include "knowledge/theory.h"
+
+// A minimal explanation by deletion: take one thing away; if the conclusion still follows, it was not needed. Each test looks at
+// the cone of the goal only: the concepts and features that the axioms still kept lead to. A class whose defining axiom is gone
+// is free to hold or not. Whole regions are tried first, so that answers about parts that have nothing to do with the goal cost
+// one test together. With consistent knowledge entailment only shrinks when things are taken away, hence what remains is minimal.
+// Cost: (regions + axioms + answers that matter) tests of some 10 microseconds each for furniture.
+
+namespace partonomy::knowledge {
+namespace {
+
+class Oracle {
+public:
+    Oracle(const Domain& domain, const Knowledge& knowledge, int goal)
+        : theory_(domain.grounding->theory), domain_(domain), knowledge_(knowledge), goal_(goal) {}
+
+    /// Whether the goal (a contradiction for -1) follows from the kept axioms and answers.
+    [[nodiscard]] bool follows(const std::vector<char>& axioms, const std::vector<char>& answers, bool complete) const {
+        const std::size_t limit = std::numeric_limits<std::size_t>::max();
+        const Scope scope = cone(theory_, goal_, axioms, goal_ < 0);
+        const Layer regions = build_regions(theory_, scope, limit);
+        std::vector<ConfigurationSet> sets(static_cast<std::size_t>(knowledge_.region_count), regions.space.all());
+        for (std::size_t i = 0; i < answers.size(); ++i) {
+            const Answer& answer = knowledge_.answers[i];
+            const int variable = answers[i] ? variable_in(regions, answer.question.variable) : -1;
+            if (variable < 0) continue;
+            const ConfigurationSet yes = yes_set(regions.space, {variable, answer.question.value});
+            if (answer.yes)
+                sets[answer.region] &= yes;
+            else
+                sets[answer.region] -= yes;
+        }
+        const bool broken = std::ranges::any_of(sets, [](const auto& set) { return set.is_empty(); });
+        if (goal_ < 0 && broken) return true;
+        if (goal_ >= 0 && theory_.concepts[goal_].level == Level::region)
+            return std::ranges::any_of(
+                sets, [&](const auto& set) { return !set.is_empty() && set.is_subset_of(regions.concepts[goal_]); });
+        const Parts parts = find_parts(theory_, scope, regions);
+        std::vector<Counts> counts = reachable_counts(parts, sets);
+        if (!complete) counts = with_any_more(parts, counts, types_within(parts, regions.space.all()), limit);
+        const ObjectLayer objects = build_objects(theory_, scope, parts, std::move(counts), limit);
+        const std::size_t size = objects.layer.space.size;
+        return goal_ < 0 ? size == 0 : size > 0 && objects.layer.concepts[goal_].count() == size;
+    }
+
+private:
+    /// The variable of the cone's layer that corresponds to one of the domain's.
+    [[nodiscard]] int variable_in(const Layer& regions, VariableId variable) const {
+        if (static_cast<std::size_t>(variable) < theory_.feature_count()) return regions.features[variable];
+        return regions.primitives[theory_.find(domain_.regions.variables[variable].iri)];
+    }
+
+    const Theory& theory_;
+    const Domain& domain_;
+    const Knowledge& knowledge_;
+    int goal_;
+};
+
+/// Axioms that define the goal, and what its definition rests on.
+std::vector<char> defining_axioms(const Theory& theory, int goal, std::size_t axiom_count) {
+    std::vector<char> definitions(axiom_count, 0), axioms(axiom_count, 0);
+    for (const NamedConcept& named : theory.concepts)
+        if (named.definition >= 0) definitions[named.axiom] = 1;
+    for (const Constraint& constraint : theory.constraints) definitions[constraint.axiom] = 0;
+    const Scope scope = cone(theory, goal, definitions, false);
+    for (std::size_t id = 0; id < theory.concepts.size(); ++id)
+        if (scope.concepts[id] && theory.concepts[id].definition >= 0) axioms[theory.concepts[id].axiom] = 1;
+    return axioms;
+}
+
+/// Classes of parts whose presence the formula asks for, without looking into the concepts that it names.
+void wanted_parts(const Theory& theory, FormulaId id, bool positive, std::vector<FormulaId>& atoms) {
+    const Formula& formula = theory.formulas[id];
+    if (formula.kind == Formula::Kind::parts && positive) atoms.push_back(id);
+    if (formula.kind == Formula::Kind::negation) positive = !positive;
+    for (const FormulaId operand : formula.operands) wanted_parts(theory, operand, positive, atoms);
+}
+
+bool is_entailed(const Domain& domain, const Conclusions& conclusions, const Iri& concept_iri) {
+    const auto follows = [&](const Space& space, const ConfigurationSet& set) {
+        const std::optional<ConceptId> id = space.find(concept_iri);
+        return id && !set.is_empty() && set.is_subset_of(space.concepts[*id].where);
+    };
+    return follows(domain.objects, conclusions.object) ||
+           std::ranges::any_of(conclusions.regions, [&](const auto& set) { return follows(domain.regions, set); });
+}
+
+}  // namespace
+
+Explanation explain(const Domain& domain, const Knowledge& knowledge, const Iri& concept_iri) {
+    const Conclusions conclusions = conclude(domain, knowledge);
+    const Theory& theory = domain.grounding->theory;
+    if (concept_iri.empty() ? !conclusions.contradiction : !is_entailed(domain, conclusions, concept_iri))
+        throw std::invalid_argument("explain: " + (concept_iri.empty() ? std::string("a contradiction") : concept_iri) +
+                                    " does not follow from what is known");
+    const int goal = concept_iri.empty() ? -1 : theory.find(concept_iri);
+    const Oracle oracle(domain, knowledge, goal);
+
+    std::vector<char> answers(knowledge.answers.size(), 1), axioms(domain.ontology.axioms.size(), 0);
+    for (const NamedConcept& named : theory.concepts)
+        if (named.definition >= 0) axioms[named.axiom] = 1;
+    for (const Constraint& constraint : theory.constraints) axioms[constraint.axiom] = 1;
+    bool complete = knowledge.complete;
+    if (complete && oracle.follows(axioms, answers, false)) complete = false;
+    if (const std::vector<char> fewer = defining_axioms(theory, goal, axioms.size()); oracle.follows(fewer, answers, complete))
+        axioms = fewer;
+    for (int region = 0; region < knowledge.region_count; ++region) {
+        std::vector<char> fewer = answers;
+        for (std::size_t i = 0; i < fewer.size(); ++i)
+            if (knowledge.answers[i].region == region) fewer[i] = 0;
+        if (fewer != answers && oracle.follows(axioms, fewer, complete)) answers = std::move(fewer);
+    }
+    const auto shrink = [&](std::vector<char>& kept) {
+        for (char& each : kept) {
+            if (!each) continue;
+            each = 0;
+            if (!oracle.follows(axioms, answers, complete)) each = 1;
+        }
+    };
+    shrink(axioms);
+    shrink(answers);
+
+    Explanation explanation;
+    for (std::size_t i = 0; i < answers.size(); ++i)
+        if (answers[i]) explanation.answers.push_back(i);
+    for (std::size_t i = 0; i < axioms.size(); ++i)
+        if (axioms[i]) explanation.axioms.push_back(i);
+    explanation.needs_completeness = complete;
+    return explanation;
+}
+
+std::vector<int> culprits(const Domain& domain, const Knowledge& knowledge, const Iri& concept_iri) {
+    const Conclusions conclusions = conclude(domain, knowledge);
+    const Theory& theory = domain.grounding->theory;
+    const Parts& parts = domain.grounding->parts;
+    const auto members = [&](const ConfigurationSet& where) {
+        std::vector<int> regions;
+        for (std::size_t r = 0; r < conclusions.regions.size(); ++r)
+            if (!conclusions.regions[r].is_empty() && conclusions.regions[r].is_subset_of(where))
+                regions.push_back(static_cast<int>(r));
+        return regions;
+    };
+    if (const std::optional<ConceptId> id = domain.regions.find(concept_iri)) return members(domain.regions.concepts[*id].where);
+    const int id = theory.find(concept_iri);
+    if (id < 0 || theory.concepts[id].definition < 0) return {};
+    std::vector<FormulaId> atoms;
+    wanted_parts(theory, theory.concepts[id].definition, true, atoms);
+    std::set<int> blamed;
+    for (const FormulaId formula : atoms) {
+        if (parts.atom_of[formula] < 0) continue;
+        const Parts::Atom& atom = parts.atoms[parts.atom_of[formula]];
+        const std::vector<int> regions = members(parts.classes[atom.part].where);
+        if (regions.size() >= atom.threshold) blamed.insert(regions.begin(), regions.end());
+    }
+    return {blamed.begin(), blamed.end()};
+}
+
+std::vector<Correction> corrections(const Domain& domain, const Knowledge& knowledge, const Iri& concept_iri,
+                                    const std::vector<double>& costs) {
+    if (costs.size() != knowledge.answers.size()) throw std::invalid_argument("corrections: one cost for each answer");
+    std::vector<Correction> found;
+    Knowledge changed = knowledge;
+    for (std::size_t i = 0; i < costs.size(); ++i) {
+        changed.answers[i].yes = !knowledge.answers[i].yes;
+        const Conclusions conclusions = conclude(domain, changed);
+        changed.answers[i].yes = knowledge.answers[i].yes;
+        if (!conclusions.contradiction && !is_entailed(domain, conclusions, concept_iri)) found.push_back({i, costs[i]});
+    }
+    std::ranges::stable_sort(found, {}, &Correction::cost);
+    return found;
+}
+
+}  // namespace partonomy::knowledge

@@ -1,0 +1,268 @@
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <sstream>
+
+#include "base/errors.h"
+#include "knowledge/theory.h"
+
+// What can be measured, read off the axioms alone: a functional object property whose range is a class below core:Feature
+// leads to a range concept, and the union of that class says its values. Data properties are cut into intervals at the numbers
+// that class expressions mention: no axiom can tell two lengths of one interval apart.
+
+namespace partonomy::knowledge {
+namespace {
+
+using owl::Axiom;
+using owl::AxiomKind;
+using owl::ClassKind;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+bool is_named(const owl::ClassPointer& expression) { return expression->kind == ClassKind::named; }
+
+std::set<Iri> below_feature(const owl::Ontology& ontology) {
+    std::set<Iri> found{core_term("Feature")};
+    for (bool grown = true; grown;) {
+        grown = false;
+        for (const Axiom& axiom : ontology.axioms) {
+            if (axiom.kind != AxiomKind::sub_class_of || !is_named(axiom.classes[0]) || !is_named(axiom.classes[1])) continue;
+            if (found.contains(axiom.classes[1]->iri)) grown |= found.insert(axiom.classes[0]->iri).second;
+        }
+    }
+    return found;
+}
+
+std::optional<double> to_number(std::string_view text) {
+    if (text.starts_with('+')) text.remove_prefix(1);
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size() || std::isnan(value)) return std::nullopt;
+    return value;
+}
+
+[[noreturn]] void refuse_knob(const owl::Annotation& annotation, const Iri& entity, const std::string& problem) {
+    throw OntologyError(at(annotation.source.file, annotation.source.line,
+                           owl::local_name(annotation.property) + " \"" + annotation.literal.value + "\" of " +
+                               owl::local_name(entity) + " " + problem));
+}
+
+/// The last four words of the annotation as a trapezoid; what precedes them is the measure.
+Criterion to_criterion(const owl::Annotation& annotation, const Iri& entity, const std::string& measure) {
+    std::istringstream stream(annotation.literal.value);
+    std::vector<std::string> words;
+    for (std::string word; stream >> word;) words.push_back(word);
+    const std::string wanted = measure.empty() ? "should be a measurement and four numbers, such as \"l0/l1 1.5 2.5 inf inf\""
+                                               : "should be four numbers, such as \"0.06 0.1 0.78 0.86\"";
+    if (words.size() < 4 || (words.size() == 4) == measure.empty()) refuse_knob(annotation, entity, wanted);
+    if (!measure.empty() && words.size() > 4) refuse_knob(annotation, entity, wanted);
+    double a[4];
+    for (std::size_t i = 0; i < 4; ++i) {
+        const std::optional<double> number = to_number(words[words.size() - 4 + i]);
+        if (!number) refuse_knob(annotation, entity, wanted);
+        a[i] = *number;
+    }
+    if (!(a[0] <= a[1] && a[1] <= a[2] && a[2] <= a[3]))
+        refuse_knob(annotation, entity, "has its numbers out of order; they should ascend");
+    std::string name = measure;
+    for (std::size_t i = 0; i + 4 < words.size(); ++i) name += (i > 0 ? " " : "") + words[i];
+    return {name, a[0], a[1], a[2], a[3]};
+}
+
+std::string text_of(const owl::Ontology& ontology, const Iri& iri, const char* knob) {
+    const auto found = ontology.annotations.find(iri);
+    if (found == ontology.annotations.end()) return {};
+    for (const owl::Annotation& annotation : found->second)
+        if (annotation.property == core_term(knob)) return annotation.literal.value;
+    return {};
+}
+
+ElementaryConcept read_value(const owl::Ontology& ontology, const Iri& iri) {
+    ElementaryConcept value{iri, {}, std::nullopt, text_of(ontology, iri, "question")};
+    const auto found = ontology.annotations.find(iri);
+    if (found == ontology.annotations.end()) return value;
+    const std::string measure = text_of(ontology, iri, "measure");
+    bool has_membership = false;
+    for (const owl::Annotation& annotation : found->second) {
+        if (annotation.property == core_term("criterion")) {
+            value.criteria.push_back(to_criterion(annotation, iri, {}));
+        } else if (annotation.property == core_term("membership")) {
+            if (measure.empty()) refuse_knob(annotation, iri, "has no core:measure beside it; say what it measures");
+            value.criteria.push_back(to_criterion(annotation, iri, measure));
+            has_membership = true;
+        } else if (annotation.property == core_term("cost")) {
+            value.cost = to_number(annotation.literal.value);
+            if (!value.cost || !(*value.cost > 0) || std::isinf(*value.cost))
+                refuse_knob(annotation, iri, "should be a number above 0");
+        }
+    }
+    if (!measure.empty() && !has_membership)
+        for (const owl::Annotation& annotation : found->second)
+            if (annotation.property == core_term("measure"))
+                refuse_knob(annotation, iri, "has no core:membership beside it; say which of its values count");
+    return value;
+}
+
+/// The values of a range concept: operands of its (disjoint) union, else its direct subclasses that have no definition.
+std::vector<Iri> values_of(const owl::Ontology& ontology, const Iri& range, bool& covered) {
+    std::vector<Iri> values;
+    for (const Axiom& axiom : ontology.axioms) {
+        if (axiom.kind == AxiomKind::disjoint_union && is_named(axiom.classes[0]) && axiom.classes[0]->iri == range) {
+            for (std::size_t i = 1; i < axiom.classes.size(); ++i) {
+                if (!is_named(axiom.classes[i]))
+                    refuse(axiom, "a value of a range concept needs a name", "name " + to_manchester(*axiom.classes[i]));
+                values.push_back(axiom.classes[i]->iri);
+            }
+            covered = !values.empty();
+            return values;
+        }
+        if (axiom.kind != AxiomKind::equivalent_classes) continue;
+        const bool about = std::ranges::any_of(axiom.classes, [&](const auto& c) { return is_named(c) && c->iri == range; });
+        for (const owl::ClassPointer& other : axiom.classes) {
+            if (!about || other->kind != ClassKind::union_of || !std::ranges::all_of(other->operands, is_named)) continue;
+            for (const owl::ClassPointer& operand : other->operands) values.push_back(operand->iri);
+            covered = true;
+            return values;
+        }
+    }
+    for (const Axiom& axiom : ontology.axioms) {
+        if (axiom.kind != AxiomKind::sub_class_of || !is_named(axiom.classes[0]) || !is_named(axiom.classes[1])) continue;
+        const Iri& value = axiom.classes[0]->iri;
+        if (axiom.classes[1]->iri != range) continue;
+        const bool defined = std::ranges::any_of(ontology.axioms, [&](const Axiom& other) {
+            return other.kind == AxiomKind::equivalent_classes &&
+                   std::ranges::any_of(other.classes, [&](const auto& c) { return is_named(c) && c->iri == value; });
+        });
+        if (!defined) values.push_back(value);
+    }
+    std::ranges::sort(values);
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+    return values;
+}
+
+bool is_functional(const owl::Ontology& ontology, const Iri& property) {
+    return std::ranges::any_of(ontology.axioms, [&](const Axiom& axiom) {
+        return (axiom.kind == AxiomKind::functional_object_property || axiom.kind == AxiomKind::functional_data_property) &&
+               axiom.properties[0] == owl::PropertyExpression{property, false};
+    });
+}
+
+/// A place on the number line between two numbers that touch: just below x, or just above it.
+using Cut = std::pair<double, bool>;
+
+void collect_cuts(const owl::ClassExpression& expression, const Axiom& axiom, std::map<Iri, std::set<Cut>>& cuts) {
+    switch (expression.kind) {
+        case ClassKind::data_some_values_from:
+        case ClassKind::data_all_values_from:
+        case ClassKind::data_has_value:
+        case ClassKind::data_min_cardinality:
+        case ClassKind::data_max_cardinality:
+        case ClassKind::data_exact_cardinality:
+            for (const MeasuredProperty::Interval& part : number_range(expression.range, axiom)) {
+                if (part.low != -infinity) cuts[expression.property.iri].insert({part.low, !part.low_closed});
+                if (part.high != infinity) cuts[expression.property.iri].insert({part.high, part.high_closed});
+            }
+            break;
+        default:
+            for (const owl::ClassPointer& operand : expression.operands) collect_cuts(*operand, axiom, cuts);
+    }
+}
+
+bool is_number_type(const Iri& datatype) {
+    static const std::set<std::string> names{"double", "float", "decimal", "real", "rational", "Literal"};
+    return datatype.empty() || names.contains(owl::local_name(datatype));
+}
+
+}  // namespace
+
+bool MeasuredProperty::Interval::has(double x) const {
+    return (low_closed ? x >= low : x > low) && (high_closed ? x <= high : x < high);
+}
+
+std::vector<MeasuredProperty::Interval> number_range(const owl::DataRange& range, const owl::Axiom& axiom) {
+    const std::string hint = "only numbers can be measured: write xsd:double[>= 0.4, <= 0.48]";
+    const auto parse = [&](const owl::Literal& literal) {
+        const std::optional<double> number = to_number(literal.value);
+        if (!number) refuse(axiom, "\"" + literal.value + "\" is no number", hint);
+        return *number == 0 ? 0.0 : *number;  // -0 and 0 are one place
+    };
+    std::vector<MeasuredProperty::Interval> parts;
+    if (!range.values.empty()) {
+        std::set<double> points;
+        for (const owl::Literal& literal : range.values) points.insert(parse(literal));
+        for (const double x : points) parts.push_back({x, x, true, true});
+        return parts;
+    }
+    if (!is_number_type(range.datatype)) refuse(axiom, owl::local_name(range.datatype) + " is no type of measurements", hint);
+    MeasuredProperty::Interval part{-infinity, infinity, false, false};
+    for (const auto& [facet, literal] : range.facets) {
+        const double x = parse(literal);
+        const std::string name = owl::local_name(facet);
+        const bool closed = name.ends_with("Inclusive");
+        if (name == "minInclusive" || name == "minExclusive") {
+            if (x > part.low || (x == part.low && !closed)) part.low = x, part.low_closed = closed;
+        } else if (name == "maxInclusive" || name == "maxExclusive") {
+            if (x < part.high || (x == part.high && !closed)) part.high = x, part.high_closed = closed;
+        } else {
+            refuse(axiom, name + " is no bound of a number", hint);
+        }
+    }
+    if (part.low < part.high || (part.low == part.high && part.low_closed && part.high_closed)) parts.push_back(part);
+    return parts;
+}
+
+std::vector<RangeConcept> find_ranges(const owl::Ontology& ontology) {
+    const std::set<Iri> features = below_feature(ontology);
+    std::vector<RangeConcept> ranges;
+    std::map<Iri, Iri> range_of_value;
+    for (const Axiom& axiom : ontology.axioms) {
+        if (axiom.kind != AxiomKind::object_property_range || axiom.properties[0].inverse || !is_named(axiom.classes[0])) continue;
+        const Iri &range = axiom.classes[0]->iri, &property = axiom.properties[0].iri;
+        if (!features.contains(range) || range == core_term("Feature") || !is_functional(ontology, property)) continue;
+        for (const RangeConcept& other : ranges)
+            if (other.iri == range || other.property == property)
+                refuse(axiom, "a range concept has one property, and " + owl::local_name(other.property) + " leads to " +
+                                  owl::local_name(other.iri), "give each property its own range concept");
+        RangeConcept found{range, property, {}, false};
+        for (const Iri& value : values_of(ontology, range, found.covered)) {
+            const auto [place, added] = range_of_value.emplace(value, range);
+            if (!added)
+                refuse(axiom, owl::local_name(value) + " is also a value of " + owl::local_name(place->second),
+                       "keep the values of range concepts apart");
+            found.values.push_back(read_value(ontology, value));
+        }
+        ranges.push_back(std::move(found));
+    }
+    return ranges;
+}
+
+std::vector<MeasuredProperty> find_numbers(const owl::Ontology& ontology) {
+    std::map<Iri, std::set<Cut>> cuts;
+    for (const Axiom& axiom : ontology.axioms) {
+        for (const owl::ClassPointer& expression : axiom.classes) collect_cuts(*expression, axiom, cuts);
+        if (axiom.kind != AxiomKind::data_property_range || axiom.range.facets.empty()) continue;
+        owl::ClassExpression expression;
+        expression.kind = ClassKind::data_all_values_from;
+        expression.property = axiom.properties[0];
+        expression.range = axiom.range;
+        collect_cuts(expression, axiom, cuts);
+    }
+    std::vector<MeasuredProperty> numbers;
+    for (const auto& [property, places] : cuts) {
+        MeasuredProperty number{property, text_of(ontology, property, "measure"), {}};
+        double low = -infinity;
+        bool low_closed = false;
+        for (const auto& [x, above] : places) {
+            number.intervals.push_back({low, x, low_closed, above});
+            low = x;
+            low_closed = !above;
+        }
+        number.intervals.push_back({low, infinity, low_closed, false});
+        numbers.push_back(std::move(number));
+    }
+    return numbers;
+}
+
+}  // namespace partonomy::knowledge

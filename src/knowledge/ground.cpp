@@ -1,0 +1,305 @@
+#include "knowledge/ground.h"
+
+#include <algorithm>
+
+#include "base/errors.h"
+
+// Grounding is direct, since the domain is finite: a functional feature has exactly one of its values, so `some`, `only` and the
+// cardinalities 0 and 1 all come down to "the value is one of these"; a number lies in exactly one interval; and every
+// restriction on hasPart is a Boolean combination of "at least k parts are C". Constants are folded at once, so that axioms which
+// say nothing here (Region SubClassOf hasShape some Shape) become plainly true.
+
+namespace partonomy::knowledge {
+namespace {
+
+using owl::Axiom;
+using owl::AxiomKind;
+using owl::ClassExpression;
+using owl::ClassKind;
+using Kind = Formula::Kind;
+
+/// Whether a count that is 1 (`in`) or 0 satisfies the cardinality.
+bool satisfies(ClassKind kind, std::uint32_t number, unsigned count) {
+    switch (kind) {
+        case ClassKind::min_cardinality:
+        case ClassKind::data_min_cardinality:
+            return count >= number;
+        case ClassKind::max_cardinality:
+        case ClassKind::data_max_cardinality:
+            return count <= number;
+        case ClassKind::exact_cardinality:
+        case ClassKind::data_exact_cardinality:
+            return count == number;
+        default:
+            return count == 1;  // some, only, value: of a feature that has exactly one value
+    }
+}
+
+}  // namespace
+
+Grounder::Grounder(const owl::Ontology& ontology, const std::map<Iri, Level>& levels, Theory& theory)
+    : ontology_(ontology), levels_(levels), theory_(theory) {
+    theory_.formulas.resize(2);
+    theory_.formulas[0].kind = Kind::truth;
+    theory_.formulas[1].kind = Kind::falsity;
+}
+
+FormulaId Grounder::add(Formula formula) {
+    theory_.formulas.push_back(std::move(formula));
+    return static_cast<FormulaId>(theory_.formulas.size()) - 1;
+}
+
+FormulaId Grounder::negate(FormulaId a) {
+    if (a <= 1) return 1 - a;
+    if (theory_.formulas[a].kind == Kind::negation) return theory_.formulas[a].operands[0];
+    Formula formula;
+    formula.kind = Kind::negation;
+    formula.operands = {a};
+    return add(std::move(formula));
+}
+
+FormulaId Grounder::conjoin(std::vector<FormulaId> operands) {
+    std::erase(operands, 0);
+    if (std::ranges::count(operands, 1) > 0) return 1;
+    if (operands.empty()) return 0;
+    if (operands.size() == 1) return operands[0];
+    Formula formula;
+    formula.kind = Kind::conjunction;
+    formula.operands = std::move(operands);
+    return add(std::move(formula));
+}
+
+FormulaId Grounder::disjoin(std::vector<FormulaId> operands) {
+    std::erase(operands, 1);
+    if (std::ranges::count(operands, 0) > 0) return 0;
+    if (operands.empty()) return 1;
+    if (operands.size() == 1) return operands[0];
+    Formula formula;
+    formula.kind = Kind::disjunction;
+    formula.operands = std::move(operands);
+    return add(std::move(formula));
+}
+
+FormulaId Grounder::named(int concept_id) {
+    Formula formula;
+    formula.kind = Kind::named;
+    formula.index = concept_id;
+    return add(std::move(formula));
+}
+
+FormulaId Grounder::choice(std::size_t feature, ConfigurationSet values) {
+    const std::size_t count = values.count();
+    if (count == values.size()) return 0;
+    if (count == 0) return 1;
+    Formula formula;
+    formula.kind = Kind::choice;
+    formula.index = static_cast<int>(feature);
+    formula.values = std::move(values);
+    return add(std::move(formula));
+}
+
+const RangeConcept* Grounder::range_of_value(const Iri& value) const {
+    for (const RangeConcept& range : theory_.ranges)
+        for (const ElementaryConcept& each : range.values)
+            if (each.iri == value) return &range;
+    return nullptr;
+}
+
+bool Grounder::is_functional(const Iri& property) const {
+    return std::ranges::any_of(ontology_.axioms, [&](const Axiom& axiom) {
+        return axiom.kind == AxiomKind::functional_data_property && axiom.properties[0].iri == property;
+    });
+}
+
+FormulaId Grounder::ground_name(const Iri& iri, Level level, const Axiom& axiom) {
+    const std::string name = owl::local_name(iri);
+    if (is_thing(iri)) return 0;
+    if (is_nothing(iri)) return 1;
+    if (iri == core_term("Incompatible"))
+        refuse(axiom, "nothing proves that something is Incompatible but the concepts below it",
+               "write SubClassOf: Incompatible beside the EquivalentTo of a named concept");
+    const auto found = levels_.find(iri);
+    if (found == levels_.end())
+        refuse(axiom, "no axiom says whether " + name + " is about a region or an object",
+               "put " + name + " below core:Region, core:Object or a range concept");
+    if (found->second == Level::feature) {
+        const RangeConcept* range = range_of_value(iri);
+        refuse(axiom, name + " is a feature and no region",
+               range != nullptr ? "write " + owl::local_name(range->property) + " some " + name
+                                : "write it behind the property that leads to it");
+    }
+    if (found->second != level)
+        refuse(axiom, name + (level == Level::object ? " is a region where an object is meant" : " is an object where a region is meant"),
+               level == Level::object ? "write hasPart some " + name : "describe a region by its features");
+    if (iri == core_term("Region") || iri == core_term("Object")) return 0;
+    return named(theory_.find(iri));
+}
+
+ConfigurationSet Grounder::values(const ClassExpression& expression, std::size_t range, const Axiom& axiom, bool strict) {
+    const RangeConcept& concept_range = theory_.ranges[range];
+    ConfigurationSet all(theory_.value_count(range), true), none(theory_.value_count(range));
+    switch (expression.kind) {
+        case ClassKind::intersection_of:
+            for (const auto& operand : expression.operands) all &= values(*operand, range, axiom, strict);
+            return all;
+        case ClassKind::union_of:
+            for (const auto& operand : expression.operands) none |= values(*operand, range, axiom, strict);
+            return none;
+        case ClassKind::complement_of:
+            return values(*expression.operands[0], range, axiom, strict).complement();
+        case ClassKind::named:
+            break;
+        default:
+            refuse(axiom, "\"" + to_manchester(expression) + "\" says more about a value of " +
+                              owl::local_name(concept_range.iri) + " than its name",
+                   "combine names of values with and, or, not");
+    }
+    const Iri& iri = expression.iri;
+    if (is_thing(iri) || iri == core_term("Feature") || iri == concept_range.iri) return all;
+    if (is_nothing(iri)) return none;
+    for (std::size_t v = 0; v < concept_range.values.size(); ++v)
+        if (concept_range.values[v].iri == iri) {
+            none.insert(v);
+            return none;
+        }
+    const RangeConcept* other = range_of_value(iri);
+    const bool is_range = std::ranges::any_of(theory_.ranges, [&](const auto& r) { return r.iri == iri; });
+    if (other != nullptr || is_range) {
+        if (!strict) return none;
+        refuse(axiom, owl::local_name(iri) + " is no value of " + owl::local_name(concept_range.iri),
+               other != nullptr ? "write " + owl::local_name(other->property) + " some " + owl::local_name(iri)
+                                : "write the property that leads to it");
+    }
+    const bool circular = std::ranges::count(open_, iri) > 0;
+    for (const Axiom& definition : ontology_.axioms) {  // a name for a combination of values
+        if (circular || definition.kind != AxiomKind::equivalent_classes) continue;
+        const auto same = [&](const owl::ClassPointer& c) { return c->kind == ClassKind::named && c->iri == iri; };
+        if (std::ranges::none_of(definition.classes, same)) continue;
+        for (const owl::ClassPointer& meaning : definition.classes) {
+            if (same(meaning)) continue;
+            open_.push_back(iri);
+            ConfigurationSet result = values(*meaning, range, definition, false);
+            open_.pop_back();
+            return result;
+        }
+    }
+    refuse(axiom, owl::local_name(iri) + " is no value of " + owl::local_name(concept_range.iri),
+           "list it in the disjoint union of " + owl::local_name(concept_range.iri) +
+               ", or define it as a combination of its values");
+}
+
+FormulaId Grounder::ground_feature(const ClassExpression& expression, std::size_t range, const Axiom& axiom) {
+    ConfigurationSet in = expression.operands.empty() ? ConfigurationSet(theory_.value_count(range), true)
+                                                      : values(*expression.operands[0], range, axiom, true);
+    const bool when_in = satisfies(expression.kind, expression.number, 1), when_out = satisfies(expression.kind, expression.number, 0);
+    if (when_in == when_out) return when_in ? 0 : 1;
+    return choice(range, when_in ? in : in.complement());
+}
+
+FormulaId Grounder::ground_number(const ClassExpression& expression, const Axiom& axiom) {
+    const Iri& property = expression.property.iri;
+    const std::vector<MeasuredProperty::Interval> allowed = number_range(expression.range, axiom);
+    if (!is_functional(property))
+        refuse(axiom, owl::local_name(property) + " may have several values, and only one is measured",
+               "declare " + owl::local_name(property) + " functional");
+    const auto number = std::ranges::find_if(theory_.numbers, [&](const auto& n) { return n.iri == property; });
+    bool when_in = satisfies(expression.kind, expression.number, 1), when_out = satisfies(expression.kind, expression.number, 0);
+    if (when_in == when_out) return when_in ? 0 : 1;
+    if (number == theory_.numbers.end()) return allowed.empty() == when_in ? 1 : 0;  // all of the line, or nothing
+    ConfigurationSet in(number->intervals.size());
+    for (std::size_t i = 0; i < number->intervals.size(); ++i) {
+        const MeasuredProperty::Interval& piece = number->intervals[i];
+        for (const MeasuredProperty::Interval& part : allowed) {
+            const bool above = piece.low > part.low || (piece.low == part.low && (part.low_closed || !piece.low_closed));
+            const bool below = piece.high < part.high || (piece.high == part.high && (part.high_closed || !piece.high_closed));
+            if (above && below) in.insert(i);
+        }
+    }
+    const auto feature = theory_.ranges.size() + static_cast<std::size_t>(number - theory_.numbers.begin());
+    return choice(feature, when_in ? in : in.complement());
+}
+
+FormulaId Grounder::ground_parts(const ClassExpression& expression, const Axiom& axiom) {
+    static const auto anything = [] {
+        auto thing = std::make_shared<ClassExpression>();
+        thing->iri = "http://www.w3.org/2002/07/owl#Thing";
+        return owl::ClassPointer(thing);
+    }();
+    owl::ClassPointer filler = expression.operands.empty() ? anything : expression.operands[0];
+    if (expression.kind == ClassKind::all_values_from) {
+        auto complement = std::make_shared<ClassExpression>();
+        complement->kind = ClassKind::complement_of;
+        complement->operands = {filler};
+        filler = complement;
+    }
+    const FormulaId part = ground(filler, Level::region, axiom);
+    const auto at_least = [&](unsigned threshold) {
+        if (threshold == 0) return 0;
+        if (part == 1) return 1;
+        Formula formula;
+        formula.kind = Kind::parts;
+        formula.index = part;
+        formula.threshold = threshold;
+        formula.part_class = filler;
+        return add(std::move(formula));
+    };
+    if (expression.number == UINT32_MAX) refuse(axiom, "the cardinality is too large", "write a smaller one");
+    switch (expression.kind) {
+        case ClassKind::some_values_from:
+            return at_least(1);
+        case ClassKind::all_values_from:
+            return negate(at_least(1));
+        case ClassKind::min_cardinality:
+            return at_least(expression.number);
+        case ClassKind::max_cardinality:
+            return negate(at_least(expression.number + 1));
+        default: {
+            const FormulaId enough = at_least(expression.number);
+            return conjoin({enough, negate(at_least(expression.number + 1))});
+        }
+    }
+}
+
+FormulaId Grounder::ground(const owl::ClassPointer& pointer, Level level, const Axiom& axiom) {
+    const ClassExpression& expression = *pointer;
+    const std::string property = owl::local_name(expression.property.iri);
+    switch (expression.kind) {
+        case ClassKind::named:
+            return ground_name(expression.iri, level, axiom);
+        case ClassKind::intersection_of:
+        case ClassKind::union_of: {
+            std::vector<FormulaId> operands;
+            for (const auto& operand : expression.operands) operands.push_back(ground(operand, level, axiom));
+            return expression.kind == ClassKind::union_of ? disjoin(std::move(operands)) : conjoin(std::move(operands));
+        }
+        case ClassKind::complement_of:
+            return negate(ground(expression.operands[0], level, axiom));
+        case ClassKind::one_of:
+        case ClassKind::has_value:
+            refuse(axiom, "it names an individual, and regions have no names before a mesh is cut",
+                   "describe regions by classes: hasShape some Board");
+        case ClassKind::has_self:
+            refuse(axiom, "no property leads from a region or an object to itself", "describe it by its features or parts");
+        default:
+            break;
+    }
+    if (expression.property.inverse)
+        refuse(axiom, "relations between regions (inverse " + property + ") are not part of this version",
+               "describe regions by their features");
+    if (level_of(expression, {}, theory_.ranges) == Level::unknown)
+        refuse(axiom, property + " is neither hasPart nor a functional property that leads to a range concept",
+               "declare " + property + " functional with a class below core:Feature as its range");
+    const bool of_parts = expression.property.iri == core_term("hasPart");
+    if (of_parts && level == Level::region)
+        refuse(axiom, "a part that has parts itself needs a third layer, which is not part of this version",
+               "describe parts by their features, and objects by hasPart");
+    if (!of_parts && level == Level::object)
+        refuse(axiom, property + " is a feature of regions, and here an object is meant",
+               "write hasPart some (" + to_manchester(expression) + ")");
+    if (of_parts) return ground_parts(expression, axiom);
+    for (std::size_t r = 0; r < theory_.ranges.size(); ++r)
+        if (theory_.ranges[r].property == expression.property.iri) return ground_feature(expression, r, axiom);
+    return ground_number(expression, axiom);
+}
+
+}  // namespace partonomy::knowledge

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <map>
+#include <optional>
+
+#include "knowledge/theory.h"
+
+namespace partonomy::knowledge {
+
+/// Turns class expressions into formulas of a theory whose ranges, numbers and concept names are already there.
+class Grounder {
+public:
+    Grounder(const owl::Ontology& ontology, const std::map<Iri, Level>& levels, Theory& theory);
+
+    /// `expression` as a statement about one region or one object. Throws OntologyError naming `axiom`.
+    FormulaId ground(const owl::ClassPointer& expression, Level level, const owl::Axiom& axiom);
+    /// The values of range concept `range` that belong to `expression`, a Boolean combination of classes below core:Feature. With
+    /// `strict`, values of other range concepts are refused; otherwise they are none of this one's.
+    ConfigurationSet values(const owl::ClassExpression& expression, std::size_t range, const owl::Axiom& axiom, bool strict);
+
+    FormulaId negate(FormulaId a);
+    FormulaId conjoin(std::vector<FormulaId> operands);
+    FormulaId disjoin(std::vector<FormulaId> operands);
+    FormulaId named(int concept_id);
+    [[nodiscard]] bool is_true(FormulaId a) const { return theory_.formulas[a].kind == Formula::Kind::truth; }
+
+private:
+    FormulaId add(Formula formula);
+    FormulaId choice(std::size_t feature, ConfigurationSet values);
+    FormulaId ground_name(const Iri& iri, Level level, const owl::Axiom& axiom);
+    FormulaId ground_feature(const owl::ClassExpression& expression, std::size_t range, const owl::Axiom& axiom);
+    FormulaId ground_number(const owl::ClassExpression& expression, const owl::Axiom& axiom);
+    FormulaId ground_parts(const owl::ClassExpression& expression, const owl::Axiom& axiom);
+    [[nodiscard]] const RangeConcept* range_of_value(const Iri& value) const;
+    [[nodiscard]] bool is_functional(const Iri& property) const;
+
+    const owl::Ontology& ontology_;
+    const std::map<Iri, Level>& levels_;
+    Theory& theory_;
+    std::vector<Iri> open_;  ///< classes of values whose definition is being read
+};
+
+}  // namespace partonomy::knowledge

@@ -1,0 +1,230 @@
+#include <algorithm>
+#include <bit>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <unordered_set>
+
+#include "base/errors.h"
+#include "knowledge/theory.h"
+
+// What an object can be made of. Object concepts only count parts of certain classes, so the atoms "at least k parts are C" are
+// the features of an object; but not every combination of them exists: whoever has 2 seats has 1, and whoever has a compact seat
+// has a seat. Which combinations some set of parts realises is found without listing such sets. Configurations of a region that
+// no part class tells apart are one *type* of part. Counts per class matter up to the highest threshold only, so a vector of
+// capped counts fits a word, and adding parts one after the other reaches all the vectors there are: a walk over a graph whose
+// nodes are vectors and whose steps are types.
+// Cost: (reachable vectors) x (types) x (classes); furniture has 10 classes, and the walk takes well under a millisecond.
+
+namespace partonomy::knowledge {
+
+Counts Parts::add(Counts counts, const Type& type) const {
+    for (const std::size_t c : type.classes) {
+        const PartClass& part = classes[c];
+        const Counts mask = (Counts{1} << std::bit_width(part.cap)) - 1;
+        if (((counts >> part.shift) & mask) < part.cap) counts += Counts{1} << part.shift;
+    }
+    return counts;
+}
+
+bool Parts::holds(Counts counts, const Atom& atom) const {
+    const PartClass& part = classes[atom.part];
+    const Counts mask = (Counts{1} << std::bit_width(part.cap)) - 1;
+    return ((counts >> part.shift) & mask) >= atom.threshold;
+}
+
+Parts find_parts(const Theory& theory, const Scope& scope, const Layer& regions) {
+    Parts parts;
+    parts.atom_of.assign(theory.formulas.size(), -1);
+    const auto visit = [&](const auto& self, FormulaId id) -> void {
+        const Formula& formula = theory.formulas[id];
+        for (const FormulaId operand : formula.operands) self(self, operand);
+        if (formula.kind != Formula::Kind::parts) return;
+        ConfigurationSet where = evaluate(theory, regions, formula.index);
+        if (where.is_empty()) return;
+        auto part = std::ranges::find(parts.classes, where, &Parts::PartClass::where);
+        if (part == parts.classes.end()) part = parts.classes.insert(part, {std::move(where), 0, 0});
+        part->cap = std::max(part->cap, formula.threshold);
+        const auto index = static_cast<std::size_t>(part - parts.classes.begin());
+        const auto atom = std::ranges::find_if(
+            parts.atoms, [&](const Parts::Atom& a) { return a.part == index && a.threshold == formula.threshold; });
+        parts.atom_of[id] = static_cast<int>(atom - parts.atoms.begin());
+        if (atom == parts.atoms.end()) parts.atoms.push_back({index, formula.threshold, formula.part_class});
+    };
+    std::vector<std::pair<std::size_t, FormulaId>> formulas;  // in the order in which they were written
+    for (std::size_t id = 0; id < theory.concepts.size(); ++id) {
+        const NamedConcept& named = theory.concepts[id];
+        if (named.level == Level::object && scope.concepts[id] && named.definition >= 0 && scope.axioms[named.axiom])
+            formulas.emplace_back(named.axiom, named.definition);
+    }
+    for (const Constraint& constraint : theory.constraints)
+        if (constraint.level == Level::object && scope.axioms[constraint.axiom])
+            formulas.emplace_back(constraint.axiom, constraint.formula);
+    std::ranges::sort(formulas);
+    for (const auto& [axiom, formula] : formulas) visit(visit, formula);
+
+    unsigned shift = 0;
+    for (Parts::PartClass& part : parts.classes) {
+        part.shift = shift;
+        shift += static_cast<unsigned>(std::bit_width(part.cap));
+    }
+    if (shift > 64)
+        throw OntologyError("the concepts of objects count " + std::to_string(parts.classes.size()) +
+                            " classes of parts, more than can be combined; count fewer classes, or to lower numbers");
+
+    parts.types.push_back({{}, regions.space.all()});
+    for (std::size_t c = 0; c < parts.classes.size(); ++c) {
+        std::vector<Parts::Type> finer;
+        for (Parts::Type& type : parts.types) {
+            Parts::Type inside{type.classes, type.where & parts.classes[c].where};
+            inside.classes.push_back(c);
+            type.where -= parts.classes[c].where;
+            if (!type.where.is_empty()) finer.push_back(std::move(type));
+            if (!inside.where.is_empty()) finer.push_back(std::move(inside));
+        }
+        parts.types = std::move(finer);
+    }
+    std::erase_if(parts.types, [](const Parts::Type& type) { return type.where.is_empty(); });
+    return parts;
+}
+
+std::vector<std::size_t> types_within(const Parts& parts, const ConfigurationSet& regions) {
+    std::vector<std::size_t> types;
+    for (std::size_t t = 0; t < parts.types.size(); ++t)
+        if (parts.types[t].where.intersects(regions)) types.push_back(t);
+    return types;
+}
+
+std::vector<Counts> with_one_more(const Parts& parts, const std::vector<Counts>& counts, const std::vector<std::size_t>& types) {
+    std::vector<Counts> result;
+    result.reserve(counts.size() * types.size());
+    for (const Counts each : counts)
+        for (const std::size_t t : types) result.push_back(parts.add(each, parts.types[t]));
+    std::ranges::sort(result);
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    return result;
+}
+
+std::vector<Counts> with_any_more(const Parts& parts, const std::vector<Counts>& counts, const std::vector<std::size_t>& types,
+                                  std::size_t limit) {
+    std::vector<Counts> reached = counts;
+    std::unordered_set<Counts> seen(counts.begin(), counts.end());
+    for (std::size_t next = 0; next < reached.size(); ++next)
+        for (const std::size_t t : types) {
+            const Counts more = parts.add(reached[next], parts.types[t]);
+            if (!seen.insert(more).second) continue;
+            reached.push_back(more);
+            if (reached.size() > limit)
+                throw OntologyError("the parts of an object combine in more than " + std::to_string(limit) +
+                                    " ways; count fewer classes of parts, or to lower numbers");
+        }
+    std::ranges::sort(reached);
+    return reached;
+}
+
+std::vector<Counts> reachable_counts(const Parts& parts, const std::vector<ConfigurationSet>& regions) {
+    std::vector<std::vector<std::size_t>> types;
+    for (const ConfigurationSet& region : regions)
+        types.push_back(types_within(parts, region.is_empty() ? region.complement() : region));
+    std::ranges::stable_sort(types, {}, [](const auto& each) { return each.size(); });  // the sure ones keep the set small
+    std::vector<Counts> counts{0};
+    for (const auto& each : types) counts = with_one_more(parts, counts, each);
+    return counts;
+}
+
+void prepare_beyond(const Parts& parts, ObjectLayer& objects) {
+    const std::size_t n = objects.counts.size();
+    if (n * objects.layer.space.size > (std::size_t{1} << 26)) return;  // 8 MB
+    objects.beyond.assign(n, {});
+    for (std::size_t i = n; i-- > 0;) {  // one more part makes the word larger
+        ConfigurationSet set = objects.configurations[objects.row[i]];
+        for (const Parts::Type& type : parts.types) {
+            const Counts more = parts.add(objects.counts[i], type);
+            if (more == objects.counts[i]) continue;
+            set |= objects.beyond[static_cast<std::size_t>(std::ranges::lower_bound(objects.counts, more) - objects.counts.begin())];
+        }
+        objects.beyond[i] = std::move(set);
+    }
+}
+
+ConfigurationSet with_more_parts(const Parts& parts, const ObjectLayer& objects, const std::vector<Counts>& counts) {
+    if (objects.beyond.empty()) {
+        std::vector<std::size_t> all(parts.types.size());
+        std::iota(all.begin(), all.end(), std::size_t{0});
+        return objects.of(with_any_more(parts, counts, all, std::numeric_limits<std::size_t>::max()));
+    }
+    ConfigurationSet result(objects.layer.space.size);
+    for (const Counts each : counts)
+        result |= objects.beyond[static_cast<std::size_t>(std::ranges::lower_bound(objects.counts, each) - objects.counts.begin())];
+    return result;
+}
+
+ConfigurationSet ObjectLayer::of(const std::vector<Counts>& some) const {
+    ConfigurationSet result(layer.space.size);
+    std::vector<char> wanted(configurations.size(), 0);
+    for (const Counts each : some) {
+        const auto found = std::ranges::lower_bound(counts, each);
+        if (found != counts.end() && *found == each) wanted[row[static_cast<std::size_t>(found - counts.begin())]] = 1;
+    }
+    for (std::size_t r = 0; r < wanted.size(); ++r)
+        if (wanted[r]) result |= configurations[r];
+    return result;
+}
+
+ObjectLayer build_objects(const Theory& theory, const Scope& scope, const Parts& parts, std::vector<Counts> counts,
+                          std::size_t limit) {
+    ObjectLayer objects;
+    objects.counts = std::move(counts);
+    std::map<std::vector<bool>, std::size_t> rows;  // "no" of each atom, so that a yes sorts first
+    for (const Counts each : objects.counts) {
+        std::vector<bool> assignment;
+        for (const Parts::Atom& atom : parts.atoms) assignment.push_back(!parts.holds(each, atom));
+        rows.emplace(std::move(assignment), 0);
+    }
+    std::vector<const std::vector<bool>*> assignments;
+    for (auto& [assignment, row] : rows) {
+        row = assignments.size();
+        assignments.push_back(&assignment);
+    }
+    for (const Counts each : objects.counts) {
+        std::vector<bool> assignment;
+        for (const Parts::Atom& atom : parts.atoms) assignment.push_back(!parts.holds(each, atom));
+        objects.row.push_back(rows.at(assignment));
+    }
+
+    Layer& layer = objects.layer;
+    Space& space = layer.space;
+    layer.atoms = parts.atom_of;
+    for (const Parts::Atom& atom : parts.atoms) {
+        Variable variable{};
+        variable.kind = VariableKind::parts;
+        variable.values = {"yes", "no"};
+        variable.part_class = atom.as_written;
+        variable.threshold = atom.threshold;
+        space.variables.push_back(std::move(variable));
+    }
+    const std::size_t primitives = add_primitives(theory, scope, Level::object, layer);
+    const std::size_t copies = primitives < 63 ? std::size_t{1} << primitives : std::numeric_limits<std::size_t>::max();
+    if (copies > limit / std::max<std::size_t>(1, assignments.size()))
+        throw OntologyError("the parts of an object combine in more than " + std::to_string(limit) + " ways, with " +
+                            std::to_string(primitives) + " concepts without definition; give them an EquivalentTo");
+    space.product = space.variables.size() < 64 ? std::size_t{1} << space.variables.size()
+                                                : std::numeric_limits<std::size_t>::max();
+    space.size = assignments.size() * copies;
+    space.holds.assign(space.variables.size(), std::vector<ConfigurationSet>(2, ConfigurationSet(space.size)));
+    for (std::size_t i = 0; i < space.size; ++i) {
+        const std::vector<bool>& assignment = *assignments[i / copies];
+        for (std::size_t v = 0; v < assignment.size(); ++v) space.holds[v][assignment[v] ? 1 : 0].insert(i);
+        for (std::size_t p = 0; p < primitives; ++p)
+            space.holds[assignment.size() + p][(i % copies) >> (primitives - 1 - p) & 1].insert(i);
+    }
+    const ConfigurationSet allowed = close_layer(theory, scope, Level::object, layer);
+    for (std::size_t r = 0; r < assignments.size(); ++r) {
+        ConfigurationSet set(allowed.size());
+        for (std::size_t i = r * copies; i < (r + 1) * copies; ++i) set.insert(i);
+        objects.configurations.push_back(set.packed(allowed));
+    }
+    return objects;
+}
+
+}  // namespace partonomy::knowledge

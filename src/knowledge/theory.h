@@ -1,0 +1,188 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "knowledge/domain.h"
+
+// Inside of the knowledge folder: an ontology as formulas over feature variables, part counts and concepts, and the two steps
+// that turn them into configuration spaces. Everything that a user may have written wrongly is found by read_theory.
+
+namespace partonomy::knowledge {
+
+/// What a class expression speaks of.
+enum class Level { unknown, feature, region, object };
+
+/// A term of the core ontology: core_term("Region").
+[[nodiscard]] Iri core_term(const char* name);
+[[nodiscard]] bool is_thing(const Iri& iri);
+[[nodiscard]] bool is_nothing(const Iri& iri);
+
+/// "file:line: <axiom> cannot be grounded: <why>; <what would be right>".
+[[noreturn]] void refuse(const owl::Axiom& axiom, const std::string& why, const std::string& right);
+
+/// "a Leg", "an Armrest".
+[[nodiscard]] std::string with_article(const std::string& name);
+
+using FormulaId = int;
+
+/// A node of a formula; nodes live in Theory::formulas and are never cyclic but through concepts.
+struct Formula {
+    enum class Kind { truth, falsity, conjunction, disjunction, negation, choice, named, parts };
+    Kind kind = Kind::truth;
+    int index = -1;                   ///< choice: feature variable; named: concept; parts: formula of the part class
+    unsigned threshold = 0;           ///< parts: at least so many, >= 1
+    ConfigurationSet values;          ///< choice: the values that make it true
+    owl::ClassPointer part_class;     ///< parts: as written
+    std::vector<FormulaId> operands;  ///< conjunction, disjunction, negation
+};
+
+struct NamedConcept {
+    Iri iri;
+    Level level = Level::unknown;  ///< region or object
+    bool incompatible = false;
+    FormulaId definition = -1;     ///< -1: primitive
+    std::size_t axiom = 0;         ///< that defines it
+};
+
+/// A formula that holds in every configuration of its layer.
+struct Constraint {
+    Level level;
+    std::size_t axiom;
+    FormulaId formula;
+};
+
+struct Theory {
+    std::vector<RangeConcept> ranges;
+    std::vector<MeasuredProperty> numbers;
+    std::vector<Formula> formulas;
+    std::vector<NamedConcept> concepts;  ///< sorted by IRI
+    std::vector<Constraint> constraints;
+    std::vector<std::string> warnings;
+
+    /// Feature variables: the ranges, then the numbers.
+    [[nodiscard]] std::size_t feature_count() const { return ranges.size() + numbers.size(); }
+    [[nodiscard]] std::size_t value_count(std::size_t feature) const;
+    [[nodiscard]] int find(const Iri& iri) const;  ///< concept, -1 when there is none
+};
+
+/// Range concepts in the order of their properties' range axioms, and measured properties by IRI, with their values, intervals,
+/// criteria and costs. Throws OntologyError.
+[[nodiscard]] std::vector<RangeConcept> find_ranges(const owl::Ontology& ontology);
+[[nodiscard]] std::vector<MeasuredProperty> find_numbers(const owl::Ontology& ontology);
+
+/// The part of the number line that a data range allows, as cuts; throws OntologyError for what is no range of numbers.
+/// `ends` is ascending and disjoint.
+[[nodiscard]] std::vector<MeasuredProperty::Interval> number_range(const owl::DataRange& range, const owl::Axiom& axiom);
+
+/// What each named class speaks of, found from the axioms alone. Classes that no axiom ties to anything are absent.
+[[nodiscard]] std::map<Iri, Level> find_levels(const owl::Ontology& ontology, const std::vector<RangeConcept>& ranges);
+
+[[nodiscard]] Level level_of(const owl::ClassExpression& expression, const std::map<Iri, Level>& levels,
+                             const std::vector<RangeConcept>& ranges);
+
+/// The whole ontology as formulas. Throws OntologyError for what cannot be grounded.
+[[nodiscard]] Theory read_theory(const owl::Ontology& ontology);
+
+/// Which part of a theory to look at: explanations take axioms away and only need what the goal rests on.
+struct Scope {
+    std::vector<char> axioms;    ///< by axiom of the ontology: its definition or constraint counts
+    std::vector<char> concepts;  ///< by concept: has a set in the layer; primitive when its defining axiom does not count
+    std::vector<char> features;  ///< by feature variable: has a variable in the layer
+};
+[[nodiscard]] Scope whole_scope(const Theory& theory, std::size_t axiom_count);
+/// The concepts and features that `goal` (a concept, -1 for none) and the counting constraints rest on. With `all_features`
+/// every feature counts.
+[[nodiscard]] Scope cone(const Theory& theory, int goal, std::vector<char> axioms, bool all_features);
+
+/// A layer in the making, and when made.
+struct Layer {
+    Space space;                             ///< variables, holds, size, product
+    std::vector<ConfigurationSet> concepts;  ///< by concept of the theory; of size 0 when out of scope or of another layer
+    std::vector<int> features;               ///< variable of each feature, -1 when out of scope
+    std::vector<int> primitives;             ///< variable of each concept, -1 when it has none
+    std::vector<int> atoms;                  ///< variable of each `parts` formula; -1: cannot hold
+};
+
+/// The configurations in which `formula` holds. Concepts must have their sets already (see close_layer).
+[[nodiscard]] ConfigurationSet evaluate(const Theory& theory, const Layer& layer, FormulaId formula);
+
+/// Gives each concept of `level` its set, and packs the layer to the configurations that satisfy the constraints. Returns those.
+ConfigurationSet close_layer(const Theory& theory, const Scope& scope, Level level, Layer& layer);
+
+/// Adds a yes/no variable for each primitive concept of `level`; returns how many.
+std::size_t add_primitives(const Theory& theory, const Scope& scope, Level level, Layer& layer);
+
+/// The configurations of one region. Throws OntologyError when there would be more than `limit` (no source: the caller adds it).
+[[nodiscard]] Layer build_regions(const Theory& theory, const Scope& scope, std::size_t limit);
+
+/// How many parts of each class an object has, each count capped where more makes no difference, packed into one word.
+using Counts = std::uint64_t;
+
+/// The classes of parts that object concepts count.
+struct Parts {
+    struct PartClass {
+        ConfigurationSet where;  ///< configurations of a region
+        unsigned cap = 0;        ///< highest threshold
+        unsigned shift = 0;      ///< of its count in Counts
+    };
+    struct Atom {
+        std::size_t part;
+        unsigned threshold;
+        owl::ClassPointer as_written;
+    };
+    /// Configurations of a region that no part class tells apart.
+    struct Type {
+        std::vector<std::size_t> classes;
+        ConfigurationSet where;
+    };
+    std::vector<PartClass> classes;
+    std::vector<Atom> atoms;
+    std::vector<int> atom_of;  ///< by formula; -1: cannot hold, or out of scope
+    std::vector<Type> types;
+
+    [[nodiscard]] Counts add(Counts counts, const Type& type) const;
+    [[nodiscard]] bool holds(Counts counts, const Atom& atom) const;
+};
+[[nodiscard]] Parts find_parts(const Theory& theory, const Scope& scope, const Layer& regions);
+
+/// Types that meet `regions`.
+[[nodiscard]] std::vector<std::size_t> types_within(const Parts& parts, const ConfigurationSet& regions);
+/// What `counts` may become with one more part of one of the types; ascending.
+[[nodiscard]] std::vector<Counts> with_one_more(const Parts& parts, const std::vector<Counts>& counts,
+                                                const std::vector<std::size_t>& types);
+/// What `counts` may become with any number of more parts of the types; ascending. Throws OntologyError beyond `limit`.
+[[nodiscard]] std::vector<Counts> with_any_more(const Parts& parts, const std::vector<Counts>& counts,
+                                                const std::vector<std::size_t>& types, std::size_t limit);
+
+/// The counts of an object that consists of `regions`, each known to lie in its set. An empty set (a contradiction) tells nothing about its region. Ascending.
+[[nodiscard]] std::vector<Counts> reachable_counts(const Parts& parts, const std::vector<ConfigurationSet>& regions);
+
+struct ObjectLayer {
+    Layer layer;
+    std::vector<Counts> counts;                    ///< ascending
+    std::vector<std::size_t> row;                  ///< of each of `counts`: which assignment of atoms it is
+    std::vector<ConfigurationSet> configurations;  ///< by row
+    std::vector<ConfigurationSet> beyond;          ///< by count: with any more parts, too; empty unless prepared
+
+    /// The configurations that belong to any of `some`.
+    [[nodiscard]] ConfigurationSet of(const std::vector<Counts>& some) const;
+};
+/// Fills `beyond`, unless it would take too much memory. `objects` must have all counts that there are.
+void prepare_beyond(const Parts& parts, ObjectLayer& objects);
+/// The configurations of `counts` with any number of more parts of any type.
+[[nodiscard]] ConfigurationSet with_more_parts(const Parts& parts, const ObjectLayer& objects, const std::vector<Counts>& counts);
+
+/// The configurations of an object whose part counts are among `counts`.
+[[nodiscard]] ObjectLayer build_objects(const Theory& theory, const Scope& scope, const Parts& parts,
+                                        std::vector<Counts> counts, std::size_t limit);
+
+struct Grounding {
+    Theory theory;
+    Parts parts;
+    ObjectLayer objects;
+};
+
+}  // namespace partonomy::knowledge
