@@ -6,10 +6,11 @@
 
 // Ear clipping (Meisters 1975) in the plane of the polygon's mean normal (Newell's sum). A convex corner is an ear when
 // no corner that is not convex lies in its triangle. Small polygons give the fattest ear first, since slivers spoil
-// normals later; large ones take every other corner in turn, and look up the corners that are not convex in a grid. Cost:
-// O(n^2) for the small ones, n <= 64; nearly linear for large shapes that people draw, corners x non-convex corners at
-// worst. Corners in line with their neighbours are not dropped, because the face across the edge may use them too.
-// Polygons that cross themselves have no right answer: where no ear is left, the best convex corner is cut all the same.
+// normals later; large ones take every other corner in turn, and look up the corners that are not convex in a grid.
+// Cost: O(n^2) for the small ones, n <= 64; nearly linear for large shapes that people draw, corners x non-convex
+// corners at worst. Corners in line with their neighbours are not dropped, because the face across the edge may use
+// them too. Polygons that cross themselves have no right answer: where no ear is left, the best convex corner is cut
+// all the same.
 
 namespace partonomy {
 namespace {
