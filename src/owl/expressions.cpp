@@ -5,7 +5,7 @@
 
 #include "owl/expressions.h"
 
-#include <charconv>
+#include <algorithm>
 
 #include "base/errors.h"
 
@@ -64,10 +64,11 @@ void Expressions::reject_undeclared(Node node, EntityKind kind, long line) const
     if (term(node).kind == TermKind::literal)
         fail(line, "the literal " + shown(node) + " stands where a name is expected");
     const Iri& iri = term(node).value;
-    const auto [what, type] = kind == EntityKind::klass             ? std::pair{"class", "owl:Class"}
-                              : kind == EntityKind::object_property ? std::pair{"object property", "owl:ObjectProperty"}
-                              : kind == EntityKind::data_property   ? std::pair{"data property", "owl:DatatypeProperty"}
-                                                                    : std::pair{"datatype", "rdfs:Datatype"};
+    const auto [what, type] = kind == EntityKind::klass ? std::pair{"a class", "owl:Class"}
+                              : kind == EntityKind::object_property
+                                  ? std::pair{"an object property", "owl:ObjectProperty"}
+                              : kind == EntityKind::data_property ? std::pair{"a data property", "owl:DatatypeProperty"}
+                                                                  : std::pair{"a datatype", "rdfs:Datatype"};
     for (const EntityKind other : {EntityKind::klass, EntityKind::object_property, EntityKind::data_property,
                                    EntityKind::annotation_property, EntityKind::datatype}) {
         if (!declarations_.has(iri, other)) continue;
@@ -75,10 +76,10 @@ void Expressions::reject_undeclared(Node node, EntityKind kind, long line) const
                                          "a data property", "an annotation property",
                                          "an individual",   "a datatype"};
         fail(line,
-             shown(node) + " is " + names[static_cast<int>(other)] + ", but stands where a " + what + " is expected");
+             shown(node) + " is " + names[static_cast<int>(other)] + ", but stands where " + what + " is expected");
     }
-    fail(line, shown(node) + " is used as a " + what + " but not declared; declare it as " + type +
-                   " or mend its name" + declarations_.suggestion(iri, kind));
+    fail(line, shown(node) + " is used as " + what + " but not declared; declare it as " + type + " or mend its name" +
+                   declarations_.suggestion(iri, kind));
 }
 
 bool Expressions::is_structure(Node node) const {
@@ -127,6 +128,11 @@ std::vector<Node> Expressions::list(Node head, long line) {
         if (open_[cell] != 0) {
             fail(line, "a list contains itself; it must end in rdf:nil");  // open_ is of no further use: reading stops
         }
+        const bool is_cell = std::ranges::any_of(about(cell), [&](std::uint32_t i) {
+            const Word word = term(graph_.triples[i].predicate).word;
+            return word == Word::rdf_first || word == Word::rdf_rest;
+        });
+        if (!is_cell) fail(line, "a list of RDF is expected where " + shown(cell) + " stands");
         const Triple* first = nullptr;
         const Triple* rest = nullptr;
         for (const std::uint32_t i : about(cell)) {
@@ -145,8 +151,7 @@ std::vector<Node> Expressions::list(Node head, long line) {
             }
         }
         if (first == nullptr || rest == nullptr) {
-            fail(line, about(cell).empty() ? "a list of RDF is expected where " + shown(cell) + " stands"
-                                           : "a list is broken: a cell needs one rdf:first and one rdf:rest");
+            fail(line, "a list is broken: a cell needs one rdf:first and one rdf:rest");
         }
         members.push_back(first->object);
         cells.push_back(cell);

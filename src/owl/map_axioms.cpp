@@ -345,6 +345,7 @@ void AxiomReader::assertion(const Triple& triple) {
             axiom.individuals.push_back(object);
         return;
     }
+    if (predicate.starts_with(xsd_prefix)) return;   // a facet, read with its data range
     if (read_.is_structure(triple.subject)) return;  // the expression or, at the end, refuse_unused will say so
     if (read_.is_structure(triple.object)) {
         read_.fail(triple.line, read_.shown(triple.predicate) +

@@ -21,9 +21,9 @@ Ontology merge(Documents&& documents) {
     std::ranges::stable_sort(ontology.entities, [](const Entity& a, const Entity& b) {
         return std::tie(a.iri, a.kind) < std::tie(b.iri, b.kind);
     });
-    const auto repeated = std::ranges::unique(
-        ontology.entities, [](const Entity& a, const Entity& b) { return a.iri == b.iri && a.kind == b.kind; });
-    ontology.entities.erase(repeated.begin(), repeated.end());
+    const auto is_repeated = [](const Entity& a, const Entity& b) { return a.iri == b.iri && a.kind == b.kind; };
+    ontology.entities.erase(std::unique(ontology.entities.begin(), ontology.entities.end(), is_repeated),
+                            ontology.entities.end());
     if (ontology.iri.empty() && ontology.entities.empty() && ontology.axioms.empty()) {
         throw OntologyError(at(documents.graphs.back().file, 0,
                                "holds statements but no ontology; declare owl:Ontology, or classes as owl:Class"));
