@@ -279,10 +279,17 @@ void AxiomReader::type(const Triple& triple) {
         case Word::owl_Nothing:
         case Word::none:
             break;
-        case Word::rdf_Property:
-            read_.fail(triple.line,
-                       "rdf:Property says too little; declare an owl:ObjectProperty, owl:DatatypeProperty or "
-                       "owl:AnnotationProperty");
+        case Word::rdf_Property: {
+            const Iri& iri = term(triple.subject).value;
+            if (declarations_.has(iri, EntityKind::object_property) ||
+                declarations_.has(iri, EntityKind::data_property) ||
+                declarations_.has(iri, EntityKind::annotation_property)) {
+                return use(triple);
+            }
+            read_.fail(triple.line, "rdf:Property says too little of " + read_.shown(triple.subject) +
+                                        "; declare an owl:ObjectProperty, owl:DatatypeProperty or "
+                                        "owl:AnnotationProperty");
+        }
         default:
             read_.fail(triple.line, read_.shown(triple.object) + " is no class of individuals");
     }

@@ -159,9 +159,9 @@ struct LoadOptions {
     std::vector<std::filesystem::path> import_folders;  ///< searched for imports after the file's own folder
 };
 
-/// Reads an ontology in Turtle or RDF/XML, recognised by content, with its imports, which are resolved offline only:
-/// the core ontology built into the program, catalog-v001.xml beside the file, then files in the file's folder and
-/// in `import_folders` whose ontology IRI (or version IRI) is the one imported. Cycles are fine.
+/// Reads an ontology in Turtle (N-Triples too) or RDF/XML, recognised by content, with its imports, which are resolved
+/// offline only: the core ontology built into the program, catalog-v001.xml beside the file, then files in the file's
+/// folder and in `import_folders` whose ontology IRI (or version IRI) is the one imported. Cycles are fine.
 /// Throws FileError; OntologyError with file and line: syntax, import not found, a triple that is no OWL 2.
 [[nodiscard]] Ontology load_ontology(const std::filesystem::path& path, const LoadOptions& options = {});
 

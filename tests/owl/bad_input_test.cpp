@@ -223,7 +223,7 @@ TEST(BadInput, NoOwl2) {
         {head + ":Seat owl:imports <https://w3id.org/partonomy/core> .", "bad.ttl:3: ", "belongs to an ontology"},
         {head + ":s a rdfs:Datatype ; owl:equivalentClass xsd:double .",
          "bad.ttl:3: ", "definition of the datatype s is not covered"},
-        {head + ":r a rdf:Property .", "bad.ttl:3: ", "rdf:Property says too little"},
+        {head + ":r a rdf:Property .", "bad.ttl:3: ", "rdf:Property says too little of r"},
         {head + ":Seat rdfs:label \"" + std::string(10, 'x') + "\" ; rdfs:seeAlso <http://e/" + std::string(5000, 'x') +
              "> .",
          "bad.ttl:3: ", "is too long"},
