@@ -13,6 +13,9 @@ namespace partonomy {
 /// The colour a part is drawn in: its own, or one of a fixed palette by its id. RGB, 0..255.
 [[nodiscard]] std::array<std::uint8_t, 3> color_of(const AnnotatedPart& part);
 
+/// What triangles without a part are drawn in.
+inline constexpr std::array<std::uint8_t, 3> unlabelled_color{190, 190, 190};
+
 /// labels.txt: one line per input face, the concept's local name or "-".
 [[nodiscard]] std::string to_labels(const Annotation& annotation);
 

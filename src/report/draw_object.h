@@ -1,0 +1,15 @@
+#pragma once
+
+#include "mesh/triangle_mesh.h"
+#include "report/annotation.h"
+#include "report/canvas.h"
+#include "report/choose_view.h"
+
+namespace partonomy {
+
+/// Draws the object into the frame of the canvas: parts in their colours, shaded, with dark lines where one part ends
+/// or hides another. Same pixels for any number of threads.
+void draw_object(Canvas& canvas, const Frame& frame, const TriangleMesh& mesh, const Annotation& annotation,
+                 const Vec3& up, int threads);
+
+}  // namespace partonomy

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "mesh/triangle_mesh.h"
+#include "report/annotation.h"
+
+namespace partonomy {
+
+/// The most specific concept of a part, "unnamed" when it has none.
+[[nodiscard]] std::string concept_of(const AnnotatedPart& part);
+
+/// One display name a part, all different: "Seat" where the concept occurs once, else "Leg 1", "Leg 2" …
+[[nodiscard]] std::vector<std::string> part_names(const Annotation& annotation);
+
+/// Throws UsageError when the annotation is not one of this mesh: another number of triangles, a part index out of
+/// range.
+void check_belongs(const TriangleMesh& mesh, const Annotation& annotation);
+
+/// "a, b, c".
+[[nodiscard]] std::string join(const std::vector<std::string>& words, std::string_view between = ", ");
+
+/// A part by its id; null when there is none.
+[[nodiscard]] const AnnotatedPart* find_part(const Annotation& annotation, int id);
+
+/// One line of a text file cannot hold a line break: control characters become blanks.
+[[nodiscard]] std::string one_line(std::string text);
+
+}  // namespace partonomy
