@@ -27,10 +27,7 @@ Conclusions conclude(const Domain& domain, const Knowledge& knowledge) {
         else
             set -= yes_set(domain.regions, answer.question);
     }
-    const Parts& parts = domain.grounding->parts;
-    const ObjectLayer& objects = domain.grounding->objects;
-    const std::vector<Counts> counts = reachable_counts(parts, conclusions.regions);
-    conclusions.object = knowledge.complete ? objects.of(counts) : with_more_parts(parts, objects, counts);
+    conclusions.object = conclude_object(domain, conclusions.regions, knowledge.complete);
 
     conclusions.contradiction = conclusions.object.is_empty();
     for (const ConfigurationSet& region : conclusions.regions) {
@@ -44,6 +41,14 @@ Conclusions conclude(const Domain& domain, const Knowledge& knowledge) {
     conclusions.diagnoses.erase(std::unique(conclusions.diagnoses.begin(), conclusions.diagnoses.end()),
                                 conclusions.diagnoses.end());
     return conclusions;
+}
+
+ConfigurationSet conclude_object(const Domain& domain, const std::vector<ConfigurationSet>& regions, bool complete) {
+    if (!domain.grounding) throw std::invalid_argument("conclude_object: the domain was not compiled");
+    const Parts& parts = domain.grounding->parts;
+    const ObjectLayer& objects = domain.grounding->objects;
+    const std::vector<Counts> counts = reachable_counts(parts, regions);
+    return complete ? objects.of(counts) : with_more_parts(parts, objects, counts);
 }
 
 std::vector<ConceptId> entailed(const Space& space, const ConfigurationSet& set) {
