@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "mesh/triangle_mesh.h"
+#include "shape/ray_scene.h"
 
 namespace partonomy {
 
@@ -16,5 +17,8 @@ struct Thickness {
 /// Shoots from each barycentre against the normal, by Embree. A hit counts when it meets a wall from inside.
 /// threads <= 0: all cores. Same result on any number of threads.
 [[nodiscard]] Thickness measure_thickness(const TriangleMesh& mesh, const TriangleGeometry& geometry, int threads = 1);
+
+/// The same with a tree that is already there.
+[[nodiscard]] Thickness measure_thickness(const RayScene& scene, const TriangleGeometry& geometry, int threads = 1);
 
 }  // namespace partonomy

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "shape/surface.h"
+
+namespace partonomy {
+
+/// What the space around a triangle's middle point (halfway to the opposite wall) looks like.
+enum class Solidity : std::uint8_t { unknown, board, stick, cube };
+
+/// The sure part of a part: triangles whose opposite wall belongs to it too.
+struct Core {
+    std::vector<std::int32_t> triangles;  ///< ascending
+    Solidity kind = Solidity::unknown;
+    double thickness = 0;                 ///< median distance between its walls
+    Vec3 normal = Vec3::Zero();           ///< across the walls (board)
+    Vec3 axis = Vec3::Zero();             ///< along the stick
+    double area = 0;
+};
+
+/// Cores of all parts, those with the largest area first, and per triangle the number of its core or -1.
+struct Cores {
+    std::vector<Core> cores;
+    std::vector<std::int32_t> core_of;
+};
+
+[[nodiscard]] Cores find_cores(const Surface& surface);
+
+}  // namespace partonomy

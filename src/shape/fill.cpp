@@ -1,0 +1,52 @@
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <queue>
+
+#include "shape/claims.h"
+
+namespace partonomy {
+
+namespace {
+
+struct Step {
+    double cost;
+    std::int32_t triangle;
+    std::int32_t part;
+    bool operator>(const Step& other) const {
+        if (cost != other.cost) return cost > other.cost;
+        return triangle != other.triangle ? triangle > other.triangle : part > other.part;
+    }
+};
+
+constexpr double crease_factor = 6;
+constexpr double board_factor = 0.4;
+
+}  // namespace
+
+void fill(const Surface& s, Parts& parts) {
+    std::priority_queue<Step, std::vector<Step>, std::greater<>> queue;
+    const auto push = [&](std::int32_t from, double cost) {
+        const std::int32_t part = parts.part_of[from];
+        for (const std::int32_t j : s.adjacency.neighbours[from]) {
+            if (j < 0 || parts.part_of[j] >= 0) continue;
+            const Vec3 way = s.geometry.barycentres[j] - s.geometry.barycentres[from];
+            const double turn = 1 - s.normals[from].dot(s.normals[j]);
+            const bool concave = way.dot(s.normals[from] - s.normals[j]) > 0;
+            const double factor = parts.parts[part].kind == Solidity::stick ? 1 : board_factor;
+            const double crease = concave ? crease_factor * turn * parts.parts[part].thickness : 0;
+            queue.push({cost + factor * way.norm() + crease, j, part});
+        }
+    };
+    for (std::size_t i = 0; i < s.count(); ++i)
+        if (parts.part_of[i] >= 0) push(static_cast<std::int32_t>(i), 0);
+    while (!queue.empty()) {
+        const Step step = queue.top();
+        queue.pop();
+        if (parts.part_of[step.triangle] >= 0) continue;
+        parts.part_of[step.triangle] = step.part;
+        push(step.triangle, step.cost);
+    }
+}
+
+}  // namespace partonomy

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "mesh/triangle_mesh.h"
+#include "shape/ray_scene.h"
+#include "shape/thickness.h"
+
+namespace partonomy {
+
+/// What find_parts works on: the caller's surface, cut finer where its triangles are large, so that a box of 12 triangles
+/// and the same box of 12,000 look alike. Measurements are per fine triangle.
+struct Surface {
+    TriangleMesh mesh;                   ///< fine; input_faces[i] is the number of the caller's triangle
+    Adjacency adjacency;
+    TriangleGeometry geometry;           ///< of the fine triangles as they are
+    std::vector<Vec3> normals;           ///< smoothed where the mesh is noisy
+    Thickness thickness;                 ///< along the smoothed normals
+    std::unique_ptr<RayScene> scene;
+    double size = 0;                     ///< diagonal of the bounding box
+    double roughness = 0;                ///< how far normals turn from one triangle to the next, and back (radians)
+
+    [[nodiscard]] std::size_t count() const { return mesh.triangles.size(); }
+};
+
+/// The same surface with every edge at most `longest`: edges are halved, so neighbours stay neighbours.
+[[nodiscard]] TriangleMesh refine(const TriangleMesh& mesh, double longest);
+
+/// The edge length that leaves a fine mesh of a few thousand triangles; infinity when the mesh is fine as it is.
+[[nodiscard]] double refinement_length(const TriangleMesh& mesh, double size);
+
+}  // namespace partonomy
