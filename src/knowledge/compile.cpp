@@ -4,10 +4,10 @@
 #include "knowledge/theory.h"
 
 // The road from an ontology to its configuration spaces: levels and formulas (theory.cpp), the space of one region
-// (region_space.cpp), the classes of parts that objects count and the space of one object (object_space.cpp); then what the
-// expert should know about it. A space only holds what the axioms allow; what an Incompatible concept forbids stays in it and is
-// left out of `possible`, so that an impossible object can be recognised and explained.
-// Furniture takes about 1 ms: 2 ranges of 5 words and a few hundred object configurations.
+// (region_space.cpp), the classes of parts that objects count and the space of one object (object_space.cpp); then what
+// the expert should know about it. A space only holds what the axioms allow; what an Incompatible concept forbids stays
+// in it and is left out of `possible`, so that an impossible object can be recognised and explained. Furniture takes
+// about 1 ms: 2 ranges of 5 words and a few hundred object configurations.
 
 namespace partonomy::knowledge {
 namespace {
@@ -18,7 +18,8 @@ std::string main_file(const owl::Ontology& ontology) {
 }
 
 /// Names the constraint that, after those before it, leaves nothing.
-[[noreturn]] void refuse_inconsistent(const owl::Ontology& ontology, const Theory& theory, Level level, std::size_t limit) {
+[[noreturn]] void refuse_inconsistent(const owl::Ontology& ontology, const Theory& theory, Level level,
+                                      std::size_t limit) {
     Scope scope = whole_scope(theory, ontology.axioms.size());
     for (const Constraint& constraint : theory.constraints) scope.axioms[constraint.axiom] = 0;
     const std::string what = level == Level::region ? "region" : "object";
@@ -35,8 +36,8 @@ std::string main_file(const owl::Ontology& ontology) {
         const owl::Axiom& axiom = ontology.axioms[constraint.axiom];
         if (empty)
             throw OntologyError(at(axiom.source.file, axiom.source.line,
-                                   "together with the axioms before it, \"" + to_manchester(axiom) + "\" leaves no " + what +
-                                       " possible; weaken one of them."));
+                                   "together with the axioms before it, \"" + to_manchester(axiom) + "\" leaves no " +
+                                       what + " possible; weaken one of them."));
     }
     throw OntologyError(at(main_file(ontology), 0, "its axioms leave no " + what + " possible; weaken one of them."));
 }
@@ -83,7 +84,8 @@ void finish_space(const Theory& theory, Level level, const Layer& layer, Space& 
 
 std::string quoted_list(const std::vector<std::string>& names) {
     std::string list;
-    for (std::size_t i = 0; i < names.size(); ++i) list += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+    for (std::size_t i = 0; i < names.size(); ++i)
+        list += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
     return list;
 }
 
@@ -123,7 +125,8 @@ Domain compile(owl::Ontology ontology, const CompileOptions& options) {
     const Theory& theory = grounding->theory;
     const std::string file = main_file(ontology);
     if (std::ranges::none_of(theory.concepts, [](const NamedConcept& named) { return named.level == Level::object; }))
-        throw OntologyError(at(file, 0, "no concept describes an object; put at least one below core:Object, with its hasPart."));
+        throw OntologyError(
+            at(file, 0, "no concept describes an object; put at least one below core:Object, with its hasPart."));
     Layer regions;
     ConfigurationSet realisable;
     try {

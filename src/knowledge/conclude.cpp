@@ -4,9 +4,10 @@
 #include "knowledge/explain.h"
 #include "knowledge/theory.h"
 
-// Answers cut the set of each region; the sets of the regions cut what the object can be. The second step is exact and cheap:
-// the parts of an object only matter by their types, so each region adds one of the types that it may still have to the vectors of
-// counts reached so far (object_space.cpp). Regions whose type is known come first and keep that set at one vector.
+// Answers cut the set of each region; the sets of the regions cut what the object can be. The second step is exact and
+// cheap: the parts of an object only matter by their types, so each region adds one of the types that it may still have
+// to the vectors of counts reached so far (object_space.cpp). Regions whose type is known come first and keep that set
+// at one vector.
 
 namespace partonomy::knowledge {
 
@@ -33,7 +34,8 @@ Conclusions conclude(const Domain& domain, const Knowledge& knowledge) {
     for (const ConfigurationSet& region : conclusions.regions) {
         conclusions.contradiction |= region.is_empty();
         for (const ConceptId id : entailed(domain.regions, region))
-            if (domain.regions.concepts[id].incompatible) conclusions.diagnoses.push_back(domain.regions.concepts[id].iri);
+            if (domain.regions.concepts[id].incompatible)
+                conclusions.diagnoses.push_back(domain.regions.concepts[id].iri);
     }
     for (const ConceptId id : entailed(domain.objects, conclusions.object))
         if (domain.objects.concepts[id].incompatible) conclusions.diagnoses.push_back(domain.objects.concepts[id].iri);

@@ -5,11 +5,11 @@
 
 #include "base/errors.h"
 
-// The tree is grown breadth first from the set of all possible configurations; a set met before is not grown again, which turns
-// the tree into a DAG. Nodes that stand for something not yet cut (find_all) only ask what cuts: "yes" takes the cut regions
-// along the rest of the tree, "no" leaves the remainder uncut. When all but one value are excluded, the answer of the last `find
-// all` is known beforehand, yet somebody has to cut: the supplementary algorithms of paper §3.3.2.
-// Cost: one best question per node, and a hash of its set.
+// The tree is grown breadth first from the set of all possible configurations; a set met before is not grown again,
+// which turns the tree into a DAG. Nodes that stand for something not yet cut (find_all) only ask what cuts: "yes"
+// takes the cut regions along the rest of the tree, "no" leaves the remainder uncut. When all but one value are
+// excluded, the answer of the last `find all` is known beforehand, yet somebody has to cut: the supplementary
+// algorithms of paper §3.3.2. Cost: one best question per node, and a hash of its set.
 
 namespace partonomy::knowledge {
 namespace {
@@ -26,9 +26,12 @@ struct KeyHash {
 
 class TreeBuilder {
 public:
-    TreeBuilder(const Space& space, const PlanOptions& is_a, const std::function<std::optional<double>(Question)>& find_all,
-                std::size_t node_limit)
-        : space_(space), asker_(space, is_a), cutter_(space, {is_a.criterion, find_all, is_a.wanted}), limit_(node_limit) {
+    TreeBuilder(const Space& space, const PlanOptions& is_a,
+                const std::function<std::optional<double>(Question)>& find_all, std::size_t node_limit)
+        : space_(space),
+          asker_(space, is_a),
+          cutter_(space, {is_a.criterion, find_all, is_a.wanted}),
+          limit_(node_limit) {
         tree_.space = &space;
         node(space.possible, !find_all);
     }
@@ -53,7 +56,8 @@ public:
 
 private:
     int node(ConfigurationSet set, bool segmented) {
-        const auto [place, added] = known_.emplace(Key{std::move(set), segmented}, static_cast<int>(tree_.nodes.size()));
+        const auto [place, added] =
+            known_.emplace(Key{std::move(set), segmented}, static_cast<int>(tree_.nodes.size()));
         if (!added) return place->second;
         if (tree_.nodes.size() >= limit_)
             throw OntologyError("the decision tree has more than " + std::to_string(limit_) +

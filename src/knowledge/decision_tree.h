@@ -70,14 +70,15 @@ private:
 
     const Space* space_;
     PlanOptions options_;
-    std::vector<Candidate> candidates_;     ///< ascending
-    std::vector<ConfigurationSet> labels_;  ///< configurations that agree on every wanted concept; none when wanted is empty
+    std::vector<Candidate> candidates_;  ///< ascending
+    std::vector<ConfigurationSet>
+        labels_;  ///< configurations that agree on every wanted concept; none when wanted is empty
 };
 
 /// A node of the tree, which is a DAG: equal sets of configurations share one node.
 struct TreeNode {
     ConfigurationSet configurations;
-    bool segmented = true;            ///< false: asked of a region not yet cut (only `find all` questions)
+    bool segmented = true;  ///< false: asked of a region not yet cut (only `find all` questions)
     std::optional<Question> question;
     int yes = -1, no = -1;            ///< nodes, -1 at a leaf
     std::vector<ConceptId> asserted;  ///< concepts that hold in every configuration
@@ -85,16 +86,16 @@ struct TreeNode {
 };
 
 struct DecisionTree {
-    const Space* space = nullptr;     ///< not owned
-    std::vector<TreeNode> nodes;      ///< node 0 is the root
+    const Space* space = nullptr;  ///< not owned
+    std::vector<TreeNode> nodes;   ///< node 0 is the root
     [[nodiscard]] std::size_t depth() const;
 };
 
 /// Builds the whole tree over the possible configurations of `space` (paper §3.3.1, Fig. 7 and 8).
 /// With `find_all` set (cost of each `find all` question, nullopt where there is none), the root stands for the whole
-/// mesh: questions that cut come first; "yes" leads to a cut region, "no" to what remains uncut. What remains when every other
-/// value is excluded still has to be cut: that question has no "no" (its index stays -1).
-/// Throws OntologyError when it would have more than `node_limit` nodes.
+/// mesh: questions that cut come first; "yes" leads to a cut region, "no" to what remains uncut. What remains when
+/// every other value is excluded still has to be cut: that question has no "no" (its index stays -1). Throws
+/// OntologyError when it would have more than `node_limit` nodes.
 [[nodiscard]] DecisionTree build_tree(const Space& space, const PlanOptions& is_a,
                                       const std::function<std::optional<double>(Question)>& find_all = {},
                                       std::size_t node_limit = 1'000'000);

@@ -29,7 +29,8 @@ bool is_below(const Domain& domain, const Iri& a, const Iri& b) {
         return (layer == 1 && b == core_term("Region")) || (layer == 2 && b == core_term("Object"));
     }
     if (super != nullptr) {
-        const bool about_same = (a == core_term("Region") && domain.layer(b) == 1) || (a == core_term("Object") && domain.layer(b) == 2);
+        const bool about_same =
+            (a == core_term("Region") && domain.layer(b) == 1) || (a == core_term("Object") && domain.layer(b) == 2);
         return about_same && super->where.count() == super->where.size();
     }
     for (const RangeConcept& range : domain.ranges) {
@@ -59,7 +60,8 @@ int Domain::layer(const Iri& iri) const {
     if (regions.find(iri)) return 1;
     if (objects.find(iri)) return 2;
     for (const RangeConcept& range : ranges)
-        if (range.iri == iri || std::ranges::any_of(range.values, [&](const auto& value) { return value.iri == iri; })) return 0;
+        if (range.iri == iri || std::ranges::any_of(range.values, [&](const auto& value) { return value.iri == iri; }))
+            return 0;
     return -1;
 }
 

@@ -28,23 +28,23 @@ struct ElementaryConcept {
     Iri iri;
     std::vector<Criterion> criteria;  ///< all must hold, the lowest score counts; empty: no algorithm from annotations
     std::optional<double> cost;
-    std::string question;             ///< core:question, may be empty
+    std::string question;  ///< core:question, may be empty
 };
 
 /// A kind of feature: Shape, Orientation …
 struct RangeConcept {
     Iri iri;
-    Iri property;                     ///< the functional property that leads to it
+    Iri property;  ///< the functional property that leads to it
     std::vector<ElementaryConcept> values;
-    bool covered = false;             ///< declared the (disjoint) union of its values; otherwise "other" completes it
+    bool covered = false;  ///< declared the (disjoint) union of its values; otherwise "other" completes it
 };
 
 /// A data property whose value is measured (core:measure), cut into intervals at the numbers that axioms mention.
 struct MeasuredProperty {
     Iri iri;
-    std::string measure;              ///< empty: no algorithm, restrictions on it stay open
+    std::string measure;  ///< empty: no algorithm, restrictions on it stay open
     struct Interval {
-        double low, high;             ///< -inf, inf when unbounded
+        double low, high;  ///< -inf, inf when unbounded
         bool low_closed, high_closed;
         [[nodiscard]] bool has(double x) const;
     };
@@ -61,24 +61,25 @@ enum class VariableKind {
 /// A feature of a region or of an object with its finitely many values; exactly one holds.
 struct Variable {
     VariableKind kind;
-    Iri iri;                          ///< of the range concept, data property or concept; empty for `parts`
-    std::vector<std::string> values;  ///< local names or words: "Board", "other", "<= 0.55", "yes"/"no" (yes is value 0)
-    int index = -1;                   ///< into Domain::ranges or Domain::numbers, for those kinds
-    owl::ClassPointer part_class;     ///< for `parts`
-    unsigned threshold = 0;           ///< for `parts`
-    bool answerable = true;           ///< false for `primitive`, and for a `number` that has no core:measure
+    Iri iri;  ///< of the range concept, data property or concept; empty for `parts`
+    std::vector<std::string>
+        values;                    ///< local names or words: "Board", "other", "<= 0.55", "yes"/"no" (yes is value 0)
+    int index = -1;                ///< into Domain::ranges or Domain::numbers, for those kinds
+    owl::ClassPointer part_class;  ///< for `parts`
+    unsigned threshold = 0;        ///< for `parts`
+    bool answerable = true;        ///< false for `primitive`, and for a `number` that has no core:measure
 };
 
 /// A named concept of a layer and the configurations in which it holds.
 struct Concept {
     Iri iri;
     ConfigurationSet where;
-    bool incompatible = false;        ///< below core:Incompatible
-    bool provable = true;             ///< has sufficient conditions
+    bool incompatible = false;  ///< below core:Incompatible
+    bool provable = true;       ///< has sufficient conditions
 };
 
-/// The set Ω of all configurations of one layer (paper §3.3.1): every choice of one value for each variable that the axioms
-/// allow, impossible ones (an Incompatible concept holds) left out of `possible`.
+/// The set Ω of all configurations of one layer (paper §3.3.1): every choice of one value for each variable that the
+/// axioms allow, impossible ones (an Incompatible concept holds) left out of `possible`.
 struct Space {
     std::vector<Variable> variables;
     std::vector<std::vector<ConfigurationSet>> holds;  ///< [variable][value]
@@ -100,23 +101,24 @@ struct Domain {
     owl::Ontology ontology;
     std::vector<RangeConcept> ranges;
     std::vector<MeasuredProperty> numbers;
-    Space regions;                    ///< layer S1: the configurations of one region
-    Space objects;                    ///< layer S2: the configurations of one object, over its `parts` variables
-    /// For each variable of `objects` the configurations of a region that count as such a part; same order. Empty set for
-    /// primitive concepts.
+    Space regions;  ///< layer S1: the configurations of one region
+    Space objects;  ///< layer S2: the configurations of one object, over its `parts` variables
+    /// For each variable of `objects` the configurations of a region that count as such a part; same order. Empty set
+    /// for primitive concepts.
     std::vector<ConfigurationSet> part_conditions;
-    /// Named concepts over S0 are in layer 1, those over hasPart in layer 2; range concepts and their values in layer 0;
-    /// -1 for anything else.
+    /// Named concepts over S0 are in layer 1, those over hasPart in layer 2; range concepts and their values in layer
+    /// 0; -1 for anything else.
     [[nodiscard]] int layer(const Iri& iri) const;
-    /// Most specific of `iris`: those without a strict subclass among them; equivalent ones stay together. A diagnosis hides
-    /// diagnoses only: a Chair that is FootIncompatibleFurnitures is both (paper Fig. 14).
+    /// Most specific of `iris`: those without a strict subclass among them; equivalent ones stay together. A diagnosis
+    /// hides diagnoses only: a Chair that is FootIncompatibleFurnitures is both (paper Fig. 14).
     [[nodiscard]] std::vector<Iri> most_specific(const std::vector<Iri>& iris) const;
-    /// All pairs (sub, super) of distinct satisfiable named concepts of the expert's layers such that sub is entailed to be
-    /// below super; elementary concepts, range concepts, core:Feature, Region, Object and Incompatible included; sorted.
+    /// All pairs (sub, super) of distinct satisfiable named concepts of the expert's layers such that sub is entailed
+    /// to be below super; elementary concepts, range concepts, core:Feature, Region, Object and Incompatible included;
+    /// sorted.
     [[nodiscard]] std::vector<std::pair<Iri, Iri>> hierarchy() const;
     /// Named concepts that no configuration satisfies.
     [[nodiscard]] std::vector<Iri> unsatisfiable() const;
-    std::vector<std::string> warnings;  ///< what a user should know: a property without algorithm …
+    std::vector<std::string> warnings;           ///< what a user should know: a property without algorithm …
     std::shared_ptr<const Grounding> grounding;  ///< set by compile; copies of a domain share it
 };
 
@@ -124,9 +126,9 @@ struct CompileOptions {
     std::size_t configuration_limit = std::size_t{1} << 22;  ///< configurations a layer may have
 };
 
-/// Finds the layers, grounds the axioms over them, and builds the configuration spaces (design §5, §6; paper §3.2.4, §3.3.1).
-/// Throws OntologyError naming axiom, file and line: a construct that cannot be grounded, a definition that runs in a circle,
-/// a trapezoid out of order, no object concept, an inconsistent layer, too many configurations.
+/// Finds the layers, grounds the axioms over them, and builds the configuration spaces (design §5, §6; paper §3.2.4,
+/// §3.3.1). Throws OntologyError naming axiom, file and line: a construct that cannot be grounded, a definition that
+/// runs in a circle, a trapezoid out of order, no object concept, an inconsistent layer, too many configurations.
 [[nodiscard]] Domain compile(owl::Ontology ontology, const CompileOptions& options = {});
 
 }  // namespace partonomy::knowledge

@@ -7,11 +7,12 @@
 
 #include "knowledge/theory.h"
 
-// A minimal explanation by deletion: take one thing away; if the conclusion still follows, it was not needed. Each test looks at
-// the cone of the goal only: the concepts and features that the axioms still kept lead to. A class whose defining axiom is gone
-// is free to hold or not. Whole regions are tried first, so that answers about parts that have nothing to do with the goal cost
-// one test together. With consistent knowledge entailment only shrinks when things are taken away, hence what remains is minimal.
-// Cost: (regions + axioms + answers that matter) tests of some 10 microseconds each for furniture.
+// A minimal explanation by deletion: take one thing away; if the conclusion still follows, it was not needed. Each test
+// looks at the cone of the goal only: the concepts and features that the axioms still kept lead to. A class whose
+// defining axiom is gone is free to hold or not. Whole regions are tried first, so that answers about parts that have
+// nothing to do with the goal cost one test together. With consistent knowledge entailment only shrinks when things are
+// taken away, hence what remains is minimal. Cost: (regions + axioms + answers that matter) tests of some 10
+// microseconds each for furniture.
 
 namespace partonomy::knowledge {
 namespace {
@@ -109,7 +110,8 @@ Explanation explain(const Domain& domain, const Knowledge& knowledge, const Iri&
     for (const Constraint& constraint : theory.constraints) axioms[constraint.axiom] = 1;
     bool complete = knowledge.complete;
     if (complete && oracle.follows(axioms, answers, false)) complete = false;
-    if (const std::vector<char> fewer = defining_axioms(theory, goal, axioms.size()); oracle.follows(fewer, answers, complete))
+    if (const std::vector<char> fewer = defining_axioms(theory, goal, axioms.size());
+        oracle.follows(fewer, answers, complete))
         axioms = fewer;
     for (int region = 0; region < knowledge.region_count; ++region) {
         std::vector<char> fewer = answers;
@@ -147,7 +149,8 @@ std::vector<int> culprits(const Domain& domain, const Knowledge& knowledge, cons
                 regions.push_back(static_cast<int>(r));
         return regions;
     };
-    if (const std::optional<ConceptId> id = domain.regions.find(concept_iri)) return members(domain.regions.concepts[*id].where);
+    if (const std::optional<ConceptId> id = domain.regions.find(concept_iri))
+        return members(domain.regions.concepts[*id].where);
     const int id = theory.find(concept_iri);
     if (id < 0 || theory.concepts[id].definition < 0) return {};
     std::vector<FormulaId> atoms;
@@ -171,7 +174,8 @@ std::vector<Correction> corrections(const Domain& domain, const Knowledge& knowl
         changed.answers[i].yes = !knowledge.answers[i].yes;
         const Conclusions conclusions = conclude(domain, changed);
         changed.answers[i].yes = knowledge.answers[i].yes;
-        if (!conclusions.contradiction && !is_entailed(domain, conclusions, concept_iri)) found.push_back({i, costs[i]});
+        if (!conclusions.contradiction && !is_entailed(domain, conclusions, concept_iri))
+            found.push_back({i, costs[i]});
     }
     std::ranges::stable_sort(found, {}, &Correction::cost);
     return found;

@@ -26,12 +26,12 @@ struct Conclusions {
     std::vector<ConfigurationSet> regions;  ///< per region: what is still possible (empty: contradiction)
     ConfigurationSet object;                ///< what is still possible for the object (incompatible ones included)
     bool contradiction = false;             ///< some set is empty: answers and axioms cannot all hold
-    std::vector<Iri> diagnoses;             ///< incompatible concepts that the object, or a region, is entailed to be; sorted
+    std::vector<Iri> diagnoses;  ///< incompatible concepts that the object, or a region, is entailed to be; sorted
 };
 
-/// Propagates answers to part counts and part counts to the object, exactly: an object configuration remains when some choice of
-/// one remaining configuration for each region (and of any further regions, unless the knowledge is complete) realises it.
-/// Throws std::invalid_argument for an answer about a region or a question that there is not.
+/// Propagates answers to part counts and part counts to the object, exactly: an object configuration remains when some
+/// choice of one remaining configuration for each region (and of any further regions, unless the knowledge is complete)
+/// realises it. Throws std::invalid_argument for an answer about a region or a question that there is not.
 [[nodiscard]] Conclusions conclude(const Domain& domain, const Knowledge& knowledge);
 
 /// The second half of conclude(): what is still possible for an object, given what is possible for each of its regions.
@@ -41,32 +41,33 @@ struct Conclusions {
 /// Concepts of a layer that hold in every remaining configuration; none when none remains.
 [[nodiscard]] std::vector<ConceptId> entailed(const Space& space, const ConfigurationSet& set);
 
-/// A set of answers and axioms from which nothing can be taken away. That the values of a range concept exclude each other is
-/// taken for granted and not listed.
+/// A set of answers and axioms from which nothing can be taken away. That the values of a range concept exclude each
+/// other is taken for granted and not listed.
 struct Explanation {
     std::vector<std::size_t> answers;  ///< indices into Knowledge::answers
     std::vector<std::size_t> axioms;   ///< indices into Ontology::axioms
     bool needs_completeness = false;   ///< it also rests on "there are no other parts"
 };
 
-/// Why the object is a `concept_iri` (an Incompatible one, or any concept of the object layer that is entailed), or, with an
-/// empty IRI, why the knowledge is contradictory. Subset-minimal (deletion of one element after the other, in order).
-/// A concept of a region counts when some region is entailed to be one. Throws std::invalid_argument when it is not entailed.
+/// Why the object is a `concept_iri` (an Incompatible one, or any concept of the object layer that is entailed), or,
+/// with an empty IRI, why the knowledge is contradictory. Subset-minimal (deletion of one element after the other, in
+/// order). A concept of a region counts when some region is entailed to be one. Throws std::invalid_argument when it is
+/// not entailed.
 [[nodiscard]] Explanation explain(const Domain& domain, const Knowledge& knowledge, const Iri& concept_iri);
 
-/// The regions to blame for an incompatible concept: those that make true the hasPart restrictions written in the concept's own
-/// definition (the classes it names, such as Chair, are context and not to blame). Ascending.
+/// The regions to blame for an incompatible concept: those that make true the hasPart restrictions written in the
+/// concept's own definition (the classes it names, such as Chair, are context and not to blame). Ascending.
 [[nodiscard]] std::vector<int> culprits(const Domain& domain, const Knowledge& knowledge, const Iri& concept_iri);
 
 /// A single answer whose change makes the object compatible with respect to `concept_iri`.
 struct Correction {
-    std::size_t answer = 0;   ///< index into Knowledge::answers
-    double cost = 0;          ///< from `costs`: low where the fuzzy score was near the boundary
+    std::size_t answer = 0;  ///< index into Knowledge::answers
+    double cost = 0;         ///< from `costs`: low where the fuzzy score was near the boundary
 };
 
 /// Smallest corrections first; `costs` holds the cost of turning each answer round (same order as Knowledge::answers).
 /// Only single changes are tried.
-[[nodiscard]] std::vector<Correction> corrections(const Domain& domain, const Knowledge& knowledge, const Iri& concept_iri,
-                                                  const std::vector<double>& costs);
+[[nodiscard]] std::vector<Correction> corrections(const Domain& domain, const Knowledge& knowledge,
+                                                  const Iri& concept_iri, const std::vector<double>& costs);
 
 }  // namespace partonomy::knowledge

@@ -8,9 +8,9 @@
 #include "base/errors.h"
 #include "knowledge/theory.h"
 
-// What can be measured, read off the axioms alone: a functional object property whose range is a class below core:Feature
-// leads to a range concept, and the union of that class says its values. Data properties are cut into intervals at the numbers
-// that class expressions mention: no axiom can tell two lengths of one interval apart.
+// What can be measured, read off the axioms alone: a functional object property whose range is a class below
+// core:Feature leads to a range concept, and the union of that class says its values. Data properties are cut into
+// intervals at the numbers that class expressions mention: no axiom can tell two lengths of one interval apart.
 
 namespace partonomy::knowledge {
 namespace {
@@ -28,7 +28,8 @@ std::set<Iri> below_feature(const owl::Ontology& ontology) {
     for (bool grown = true; grown;) {
         grown = false;
         for (const Axiom& axiom : ontology.axioms) {
-            if (axiom.kind != AxiomKind::sub_class_of || !is_named(axiom.classes[0]) || !is_named(axiom.classes[1])) continue;
+            if (axiom.kind != AxiomKind::sub_class_of || !is_named(axiom.classes[0]) || !is_named(axiom.classes[1]))
+                continue;
             if (found.contains(axiom.classes[1]->iri)) grown |= found.insert(axiom.classes[0]->iri).second;
         }
     }
@@ -54,8 +55,9 @@ Criterion to_criterion(const owl::Annotation& annotation, const Iri& entity, con
     std::istringstream stream(annotation.literal.value);
     std::vector<std::string> words;
     for (std::string word; stream >> word;) words.push_back(word);
-    const std::string wanted = measure.empty() ? "should be a measurement and four numbers, such as \"l0/l1 1.5 2.5 inf inf\""
-                                               : "should be four numbers, such as \"0.06 0.1 0.78 0.86\"";
+    const std::string wanted = measure.empty()
+                                   ? "should be a measurement and four numbers, such as \"l0/l1 1.5 2.5 inf inf\""
+                                   : "should be four numbers, such as \"0.06 0.1 0.78 0.86\"";
     if (words.size() < 4 || (words.size() == 4) == measure.empty()) refuse_knob(annotation, entity, wanted);
     if (!measure.empty() && words.size() > 4) refuse_knob(annotation, entity, wanted);
     double a[4];
@@ -112,23 +114,27 @@ std::vector<Iri> values_of(const owl::Ontology& ontology, const Iri& range, bool
         if (axiom.kind == AxiomKind::disjoint_union && is_named(axiom.classes[0]) && axiom.classes[0]->iri == range) {
             for (std::size_t i = 1; i < axiom.classes.size(); ++i) {
                 if (!is_named(axiom.classes[i]))
-                    refuse(axiom, "a value of a range concept needs a name", "name " + to_manchester(*axiom.classes[i]));
+                    refuse(axiom, "a value of a range concept needs a name",
+                           "name " + to_manchester(*axiom.classes[i]));
                 values.push_back(axiom.classes[i]->iri);
             }
             covered = !values.empty();
             return values;
         }
         if (axiom.kind != AxiomKind::equivalent_classes) continue;
-        const bool about = std::ranges::any_of(axiom.classes, [&](const auto& c) { return is_named(c) && c->iri == range; });
+        const bool about =
+            std::ranges::any_of(axiom.classes, [&](const auto& c) { return is_named(c) && c->iri == range; });
         for (const owl::ClassPointer& other : axiom.classes) {
-            if (!about || other->kind != ClassKind::union_of || !std::ranges::all_of(other->operands, is_named)) continue;
+            if (!about || other->kind != ClassKind::union_of || !std::ranges::all_of(other->operands, is_named))
+                continue;
             for (const owl::ClassPointer& operand : other->operands) values.push_back(operand->iri);
             covered = true;
             return values;
         }
     }
     for (const Axiom& axiom : ontology.axioms) {
-        if (axiom.kind != AxiomKind::sub_class_of || !is_named(axiom.classes[0]) || !is_named(axiom.classes[1])) continue;
+        if (axiom.kind != AxiomKind::sub_class_of || !is_named(axiom.classes[0]) || !is_named(axiom.classes[1]))
+            continue;
         const Iri& value = axiom.classes[0]->iri;
         if (axiom.classes[1]->iri != range) continue;
         const bool defined = std::ranges::any_of(ontology.axioms, [&](const Axiom& other) {
@@ -144,7 +150,8 @@ std::vector<Iri> values_of(const owl::Ontology& ontology, const Iri& range, bool
 
 bool is_functional(const owl::Ontology& ontology, const Iri& property) {
     return std::ranges::any_of(ontology.axioms, [&](const Axiom& axiom) {
-        return (axiom.kind == AxiomKind::functional_object_property || axiom.kind == AxiomKind::functional_data_property) &&
+        return (axiom.kind == AxiomKind::functional_object_property ||
+                axiom.kind == AxiomKind::functional_data_property) &&
                axiom.properties[0] == owl::PropertyExpression{property, false};
     });
 }
@@ -195,7 +202,8 @@ std::vector<MeasuredProperty::Interval> number_range(const owl::DataRange& range
         for (const double x : points) parts.push_back({x, x, true, true});
         return parts;
     }
-    if (!is_number_type(range.datatype)) refuse(axiom, owl::local_name(range.datatype) + " is no type of measurements", hint);
+    if (!is_number_type(range.datatype))
+        refuse(axiom, owl::local_name(range.datatype) + " is no type of measurements", hint);
     MeasuredProperty::Interval part{-infinity, infinity, false, false};
     for (const auto& [facet, literal] : range.facets) {
         const double x = parse(literal);
@@ -218,13 +226,17 @@ std::vector<RangeConcept> find_ranges(const owl::Ontology& ontology) {
     std::vector<RangeConcept> ranges;
     std::map<Iri, Iri> range_of_value;
     for (const Axiom& axiom : ontology.axioms) {
-        if (axiom.kind != AxiomKind::object_property_range || axiom.properties[0].inverse || !is_named(axiom.classes[0])) continue;
+        if (axiom.kind != AxiomKind::object_property_range || axiom.properties[0].inverse ||
+            !is_named(axiom.classes[0]))
+            continue;
         const Iri &range = axiom.classes[0]->iri, &property = axiom.properties[0].iri;
         if (!features.contains(range) || range == core_term("Feature") || !is_functional(ontology, property)) continue;
         for (const RangeConcept& other : ranges)
             if (other.iri == range || other.property == property)
-                refuse(axiom, "a range concept has one property, and " + owl::local_name(other.property) + " leads to " +
-                                  owl::local_name(other.iri), "give each property its own range concept");
+                refuse(axiom,
+                       "a range concept has one property, and " + owl::local_name(other.property) + " leads to " +
+                           owl::local_name(other.iri),
+                       "give each property its own range concept");
         RangeConcept found{range, property, {}, false};
         for (const Iri& value : values_of(ontology, range, found.covered)) {
             const auto [place, added] = range_of_value.emplace(value, range);

@@ -4,10 +4,10 @@
 
 #include "base/errors.h"
 
-// Grounding is direct, since the domain is finite: a functional feature has exactly one of its values, so `some`, `only` and the
-// cardinalities 0 and 1 all come down to "the value is one of these"; a number lies in exactly one interval; and every
-// restriction on hasPart is a Boolean combination of "at least k parts are C". Constants are folded at once, so that axioms which
-// say nothing here (Region SubClassOf hasShape some Shape) become plainly true.
+// Grounding is direct, since the domain is finite: a functional feature has exactly one of its values, so `some`,
+// `only` and the cardinalities 0 and 1 all come down to "the value is one of these"; a number lies in exactly one
+// interval; and every restriction on hasPart is a Boolean combination of "at least k parts are C". Constants are folded
+// at once, so that axioms which say nothing here (Region SubClassOf hasShape some Shape) become plainly true.
 
 namespace partonomy::knowledge {
 namespace {
@@ -129,13 +129,16 @@ FormulaId Grounder::ground_name(const Iri& iri, Level level, const Axiom& axiom)
                                 : "write it behind the property that leads to it");
     }
     if (found->second != level)
-        refuse(axiom, name + (level == Level::object ? " is a region where an object is meant" : " is an object where a region is meant"),
+        refuse(axiom,
+               name + (level == Level::object ? " is a region where an object is meant"
+                                              : " is an object where a region is meant"),
                level == Level::object ? "write hasPart some " + name : "describe a region by its features");
     if (iri == core_term("Region") || iri == core_term("Object")) return 0;
     return named(theory_.find(iri));
 }
 
-ConfigurationSet Grounder::values(const ClassExpression& expression, std::size_t range, const Axiom& axiom, bool strict) {
+ConfigurationSet Grounder::values(const ClassExpression& expression, std::size_t range, const Axiom& axiom,
+                                  bool strict) {
     const RangeConcept& concept_range = theory_.ranges[range];
     ConfigurationSet all(theory_.value_count(range), true), none(theory_.value_count(range));
     switch (expression.kind) {
@@ -150,8 +153,9 @@ ConfigurationSet Grounder::values(const ClassExpression& expression, std::size_t
         case ClassKind::named:
             break;
         default:
-            refuse(axiom, "\"" + to_manchester(expression) + "\" says more about a value of " +
-                              owl::local_name(concept_range.iri) + " than its name",
+            refuse(axiom,
+                   "\"" + to_manchester(expression) + "\" says more about a value of " +
+                       owl::local_name(concept_range.iri) + " than its name",
                    "combine names of values with and, or, not");
     }
     const Iri& iri = expression.iri;
@@ -191,7 +195,8 @@ ConfigurationSet Grounder::values(const ClassExpression& expression, std::size_t
 FormulaId Grounder::ground_feature(const ClassExpression& expression, std::size_t range, const Axiom& axiom) {
     ConfigurationSet in = expression.operands.empty() ? ConfigurationSet(theory_.value_count(range), true)
                                                       : values(*expression.operands[0], range, axiom, true);
-    const bool when_in = satisfies(expression.kind, expression.number, 1), when_out = satisfies(expression.kind, expression.number, 0);
+    const bool when_in = satisfies(expression.kind, expression.number, 1),
+               when_out = satisfies(expression.kind, expression.number, 0);
     if (when_in == when_out) return when_in ? 0 : 1;
     return choice(range, when_in ? in : in.complement());
 }
@@ -203,15 +208,18 @@ FormulaId Grounder::ground_number(const ClassExpression& expression, const Axiom
         refuse(axiom, owl::local_name(property) + " may have several values, and only one is measured",
                "declare " + owl::local_name(property) + " functional");
     const auto number = std::ranges::find_if(theory_.numbers, [&](const auto& n) { return n.iri == property; });
-    bool when_in = satisfies(expression.kind, expression.number, 1), when_out = satisfies(expression.kind, expression.number, 0);
+    bool when_in = satisfies(expression.kind, expression.number, 1),
+         when_out = satisfies(expression.kind, expression.number, 0);
     if (when_in == when_out) return when_in ? 0 : 1;
     if (number == theory_.numbers.end()) return allowed.empty() == when_in ? 1 : 0;  // all of the line, or nothing
     ConfigurationSet in(number->intervals.size());
     for (std::size_t i = 0; i < number->intervals.size(); ++i) {
         const MeasuredProperty::Interval& piece = number->intervals[i];
         for (const MeasuredProperty::Interval& part : allowed) {
-            const bool above = piece.low > part.low || (piece.low == part.low && (part.low_closed || !piece.low_closed));
-            const bool below = piece.high < part.high || (piece.high == part.high && (part.high_closed || !piece.high_closed));
+            const bool above =
+                piece.low > part.low || (piece.low == part.low && (part.low_closed || !piece.low_closed));
+            const bool below =
+                piece.high < part.high || (piece.high == part.high && (part.high_closed || !piece.high_closed));
             if (above && below) in.insert(i);
         }
     }
@@ -279,7 +287,8 @@ FormulaId Grounder::ground(const owl::ClassPointer& pointer, Level level, const 
             refuse(axiom, "it names an individual, and regions have no names before a mesh is cut",
                    "describe regions by classes: hasShape some Board");
         case ClassKind::has_self:
-            refuse(axiom, "no property leads from a region or an object to itself", "describe it by its features or parts");
+            refuse(axiom, "no property leads from a region or an object to itself",
+                   "describe it by its features or parts");
         default:
             break;
     }

@@ -14,9 +14,10 @@ public:
 
     /// `expression` as a statement about one region or one object. Throws OntologyError naming `axiom`.
     FormulaId ground(const owl::ClassPointer& expression, Level level, const owl::Axiom& axiom);
-    /// The values of range concept `range` that belong to `expression`, a Boolean combination of classes below core:Feature. With
-    /// `strict`, values of other range concepts are refused; otherwise they are none of this one's.
-    ConfigurationSet values(const owl::ClassExpression& expression, std::size_t range, const owl::Axiom& axiom, bool strict);
+    /// The values of range concept `range` that belong to `expression`, a Boolean combination of classes below
+    /// core:Feature. With `strict`, values of other range concepts are refused; otherwise they are none of this one's.
+    ConfigurationSet values(const owl::ClassExpression& expression, std::size_t range, const owl::Axiom& axiom,
+                            bool strict);
 
     FormulaId negate(FormulaId a);
     FormulaId conjoin(std::vector<FormulaId> operands);

@@ -3,9 +3,10 @@
 #include "base/errors.h"
 #include "knowledge/theory.h"
 
-// A named class belongs to the layer that its axioms speak of: properties of features are about regions, hasPart is about
-// objects, and names pass on what their own axioms say. A sweep over all axioms is repeated until nothing new is learned, which
-// takes as many sweeps as definitions are deep. Upwards (from a class to a bare superclass) is only learned when all else is.
+// A named class belongs to the layer that its axioms speak of: properties of features are about regions, hasPart is
+// about objects, and names pass on what their own axioms say. A sweep over all axioms is repeated until nothing new is
+// learned, which takes as many sweeps as definitions are deep. Upwards (from a class to a bare superclass) is only
+// learned when all else is.
 
 namespace partonomy::knowledge {
 namespace {

@@ -8,13 +8,13 @@
 #include "base/errors.h"
 #include "knowledge/theory.h"
 
-// What an object can be made of. Object concepts only count parts of certain classes, so the atoms "at least k parts are C" are
-// the features of an object; but not every combination of them exists: whoever has 2 seats has 1, and whoever has a compact seat
-// has a seat. Which combinations some set of parts realises is found without listing such sets. Configurations of a region that
-// no part class tells apart are one *type* of part. Counts per class matter up to the highest threshold only, so a vector of
-// capped counts fits a word, and adding parts one after the other reaches all the vectors there are: a walk over a graph whose
-// nodes are vectors and whose steps are types.
-// Cost: (reachable vectors) x (types) x (classes); furniture has 10 classes, and the walk takes well under a millisecond.
+// What an object can be made of. Object concepts only count parts of certain classes, so the atoms "at least k parts
+// are C" are the features of an object; but not every combination of them exists: whoever has 2 seats has 1, and
+// whoever has a compact seat has a seat. Which combinations some set of parts realises is found without listing such
+// sets. Configurations of a region that no part class tells apart are one *type* of part. Counts per class matter up to
+// the highest threshold only, so a vector of capped counts fits a word, and adding parts one after the other reaches
+// all the vectors there are: a walk over a graph whose nodes are vectors and whose steps are types. Cost: (reachable
+// vectors) x (types) x (classes); furniture has 10 classes, and the walk takes well under a millisecond.
 
 namespace partonomy::knowledge {
 
@@ -95,7 +95,8 @@ std::vector<std::size_t> types_within(const Parts& parts, const ConfigurationSet
     return types;
 }
 
-std::vector<Counts> with_one_more(const Parts& parts, const std::vector<Counts>& counts, const std::vector<std::size_t>& types) {
+std::vector<Counts> with_one_more(const Parts& parts, const std::vector<Counts>& counts,
+                                  const std::vector<std::size_t>& types) {
     std::vector<Counts> result;
     result.reserve(counts.size() * types.size());
     for (const Counts each : counts)
@@ -105,8 +106,8 @@ std::vector<Counts> with_one_more(const Parts& parts, const std::vector<Counts>&
     return result;
 }
 
-std::vector<Counts> with_any_more(const Parts& parts, const std::vector<Counts>& counts, const std::vector<std::size_t>& types,
-                                  std::size_t limit) {
+std::vector<Counts> with_any_more(const Parts& parts, const std::vector<Counts>& counts,
+                                  const std::vector<std::size_t>& types, std::size_t limit) {
     std::vector<Counts> reached = counts;
     std::unordered_set<Counts> seen(counts.begin(), counts.end());
     for (std::size_t next = 0; next < reached.size(); ++next)
@@ -126,7 +127,8 @@ std::vector<Counts> reachable_counts(const Parts& parts, const std::vector<Confi
     std::vector<std::vector<std::size_t>> types;
     for (const ConfigurationSet& region : regions)
         types.push_back(types_within(parts, region.is_empty() ? region.complement() : region));
-    std::ranges::stable_sort(types, {}, [](const auto& each) { return each.size(); });  // the sure ones keep the set small
+    std::ranges::stable_sort(types, {},
+                             [](const auto& each) { return each.size(); });  // the sure ones keep the set small
     std::vector<Counts> counts{0};
     for (const auto& each : types) counts = with_one_more(parts, counts, each);
     return counts;
@@ -141,7 +143,8 @@ void prepare_beyond(const Parts& parts, ObjectLayer& objects) {
         for (const Parts::Type& type : parts.types) {
             const Counts more = parts.add(objects.counts[i], type);
             if (more == objects.counts[i]) continue;
-            set |= objects.beyond[static_cast<std::size_t>(std::ranges::lower_bound(objects.counts, more) - objects.counts.begin())];
+            set |= objects.beyond[static_cast<std::size_t>(std::ranges::lower_bound(objects.counts, more) -
+                                                           objects.counts.begin())];
         }
         objects.beyond[i] = std::move(set);
     }
@@ -155,7 +158,8 @@ ConfigurationSet with_more_parts(const Parts& parts, const ObjectLayer& objects,
     }
     ConfigurationSet result(objects.layer.space.size);
     for (const Counts each : counts)
-        result |= objects.beyond[static_cast<std::size_t>(std::ranges::lower_bound(objects.counts, each) - objects.counts.begin())];
+        result |= objects.beyond[static_cast<std::size_t>(std::ranges::lower_bound(objects.counts, each) -
+                                                          objects.counts.begin())];
     return result;
 }
 

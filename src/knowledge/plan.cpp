@@ -3,12 +3,12 @@
 
 #include "knowledge/decision_tree.h"
 
-// Choosing a question is counting: with what is still possible as a bit set, a question's yes and no are one popcount away.
-// Dichotomy (paper §3.3.1) takes the question with the most even split. Gain per cost looks at labels instead of configurations:
-// those that agree on every wanted concept form one class, and the gain of a question is by how much the entropy of the class
-// sinks on average. It does not care for features that no wanted concept looks at, where dichotomy asks on. When no single
-// question gains anything but something is open (an exclusive or), the most even split per cost makes progress.
-// Configurations count alike; impossible ones only count when nothing else is open.
+// Choosing a question is counting: with what is still possible as a bit set, a question's yes and no are one popcount
+// away. Dichotomy (paper §3.3.1) takes the question with the most even split. Gain per cost looks at labels instead of
+// configurations: those that agree on every wanted concept form one class, and the gain of a question is by how much
+// the entropy of the class sinks on average. It does not care for features that no wanted concept looks at, where
+// dichotomy asks on. When no single question gains anything but something is open (an exclusive or), the most even
+// split per cost makes progress. Configurations count alike; impossible ones only count when nothing else is open.
 // Cost: (questions) x (classes) x (words of the space); furniture takes 2-3 microseconds.
 
 namespace partonomy::knowledge {

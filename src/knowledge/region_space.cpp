@@ -5,10 +5,11 @@
 #include "base/errors.h"
 #include "knowledge/theory.h"
 
-// A layer starts as the Cartesian product of its variables (paper §3.2.3, Fig. 5), one bit per combination: the first variable
-// varies slowest, so the bits of "variable v has value k" are runs of equal length. Every concept is then evaluated with one
-// sweep of word operations per node of its definition, the constraints are met, and what violates them is packed away.
-// Cost: (formula nodes) x (product / 64) word operations; furniture has a product of 288 and so 5 words.
+// A layer starts as the Cartesian product of its variables (paper §3.2.3, Fig. 5), one bit per combination: the first
+// variable varies slowest, so the bits of "variable v has value k" are runs of equal length. Every concept is then
+// evaluated with one sweep of word operations per node of its definition, the constraints are met, and what violates
+// them is packed away. Cost: (formula nodes) x (product / 64) word operations; furniture has a product of 288 and so 5
+// words.
 
 namespace partonomy::knowledge {
 namespace {
@@ -29,7 +30,8 @@ std::string to_words(const MeasuredProperty::Interval& interval) {
     if (has_low && interval.low == interval.high) return "= " + to_words(interval.low);
     std::string words;
     if (has_low) words = (interval.low_closed ? ">= " : "> ") + to_words(interval.low);
-    if (has_high) words += (has_low ? ", " : "") + std::string(interval.high_closed ? "<= " : "< ") + to_words(interval.high);
+    if (has_high)
+        words += (has_low ? ", " : "") + std::string(interval.high_closed ? "<= " : "< ") + to_words(interval.high);
     return words;
 }
 
@@ -93,12 +95,14 @@ ConfigurationSet evaluate(const Theory& theory, const Layer& layer, FormulaId id
             return ConfigurationSet(size);
         case Formula::Kind::conjunction: {
             ConfigurationSet result = evaluate(theory, layer, formula.operands[0]);
-            for (std::size_t i = 1; i < formula.operands.size(); ++i) result &= evaluate(theory, layer, formula.operands[i]);
+            for (std::size_t i = 1; i < formula.operands.size(); ++i)
+                result &= evaluate(theory, layer, formula.operands[i]);
             return result;
         }
         case Formula::Kind::disjunction: {
             ConfigurationSet result = evaluate(theory, layer, formula.operands[0]);
-            for (std::size_t i = 1; i < formula.operands.size(); ++i) result |= evaluate(theory, layer, formula.operands[i]);
+            for (std::size_t i = 1; i < formula.operands.size(); ++i)
+                result |= evaluate(theory, layer, formula.operands[i]);
             return result;
         }
         case Formula::Kind::negation:
@@ -184,10 +188,11 @@ Layer build_regions(const Theory& theory, const Scope& scope, std::size_t limit)
     space.product = 1;
     for (const Variable& variable : space.variables) space.product = times(space.product, variable.values.size());
     if (space.product > limit)
-        throw OntologyError("the features of a region combine in more than " + std::to_string(limit) + " ways, with " +
-                            std::to_string(theory.ranges.size()) + " range concepts, " + std::to_string(theory.numbers.size()) +
-                            " measured properties and " + std::to_string(primitives) +
-                            " concepts without definition; give concepts an EquivalentTo, or mention fewer different numbers");
+        throw OntologyError(
+            "the features of a region combine in more than " + std::to_string(limit) + " ways, with " +
+            std::to_string(theory.ranges.size()) + " range concepts, " + std::to_string(theory.numbers.size()) +
+            " measured properties and " + std::to_string(primitives) +
+            " concepts without definition; give concepts an EquivalentTo, or mention fewer different numbers");
     space.size = space.product;
     std::size_t run = space.size;
     for (const Variable& variable : space.variables) {

@@ -5,10 +5,10 @@
 #include "base/errors.h"
 #include "knowledge/ground.h"
 
-// From axioms to definitions and constraints. A named class is defined by its first EquivalentTo with an expression, else by a
-// synonym, else by its DisjointUnion; what is left of these axioms, and every other one, is a constraint: a formula that holds
-// in each configuration. A class without definition is primitive. Definitions must not run in circles, so that every class can be
-// evaluated from features and part counts upwards.
+// From axioms to definitions and constraints. A named class is defined by its first EquivalentTo with an expression,
+// else by a synonym, else by its DisjointUnion; what is left of these axioms, and every other one, is a constraint: a
+// formula that holds in each configuration. A class without definition is primitive. Definitions must not run in
+// circles, so that every class can be evaluated from features and part counts upwards.
 
 namespace partonomy::knowledge {
 namespace {
@@ -21,7 +21,9 @@ using owl::ClassPointer;
 class TheoryReader {
 public:
     explicit TheoryReader(const owl::Ontology& ontology)
-        : ontology_(ontology), theory_(start(ontology)), levels_(find_levels(ontology, theory_.ranges)),
+        : ontology_(ontology),
+          theory_(start(ontology)),
+          levels_(find_levels(ontology, theory_.ranges)),
           grounder_(ontology, levels_, theory_) {
         for (const auto& [iri, level] : levels_)
             if (level > Level::feature && iri != core_term("Region") && iri != core_term("Object"))
@@ -64,7 +66,8 @@ private:
             case AxiomKind::data_property_assertion:
             case AxiomKind::same_individual:
             case AxiomKind::different_individuals:
-                refuse(axiom, "it is about an individual, and the individuals come from the mesh", "describe classes instead");
+                refuse(axiom, "it is about an individual, and the individuals come from the mesh",
+                       "describe classes instead");
             default:
                 return read_property(index);
         }
@@ -88,8 +91,10 @@ private:
         switch (axiom.kind) {
             case AxiomKind::object_property_domain:
             case AxiomKind::data_property_domain:
-                if (!grounder_.is_true(grounder_.ground(axiom.classes[0], of_parts ? Level::object : Level::region, axiom)))
-                    refuse(axiom, "every " + std::string(of_parts ? "object may have parts" : "region has such a feature"),
+                if (!grounder_.is_true(
+                        grounder_.ground(axiom.classes[0], of_parts ? Level::object : Level::region, axiom)))
+                    refuse(axiom,
+                           "every " + std::string(of_parts ? "object may have parts" : "region has such a feature"),
                            "give " + name + " the domain " + (of_parts ? "core:Object" : "core:Region"));
                 return;
             case AxiomKind::object_property_range:
@@ -129,7 +134,8 @@ private:
                 break;
             case AxiomKind::sub_object_property_of:
             case AxiomKind::sub_data_property_of:
-                if (!is_known(axiom.properties.back().iri) || (axiom.properties.size() == 2 && axiom.properties[0] == axiom.properties[1]))
+                if (!is_known(axiom.properties.back().iri) ||
+                    (axiom.properties.size() == 2 && axiom.properties[0] == axiom.properties[1]))
                     return;
                 break;
             default:
@@ -162,13 +168,13 @@ private:
         if (axiom.kind == AxiomKind::disjoint_classes) return read_disjoint(index, 0);
         if (level == Level::feature) return check_features(axiom);
         if (axiom.kind == AxiomKind::sub_class_of) return read_sub_class(index, level);
-        if (level == Level::unknown)
-            refuse(axiom, "no axiom says whether it is about regions or objects", "put its classes below core:Region or core:Object");
+        if (level == Level::unknown) refuse_unknown(axiom);
         if (axiom.kind == AxiomKind::disjoint_union) {
             unions_.push_back(index);
             return read_disjoint(index, 1);
         }
-        const bool all_named = std::ranges::all_of(axiom.classes, [](const auto& c) { return c->kind == ClassKind::named; });
+        const bool all_named =
+            std::ranges::all_of(axiom.classes, [](const auto& c) { return c->kind == ClassKind::named; });
         if (all_named) {
             synonyms_.push_back(index);
             return;
@@ -185,6 +191,14 @@ private:
             else
                 constrain(level, index, same(grounder_.ground(expression, level, axiom), formula));
         }
+    }
+
+    /// When nothing is known, the expression itself may well be the reason: ground it to hear about that first.
+    [[noreturn]] void refuse_unknown(const Axiom& axiom) {
+        for (const ClassPointer& expression : axiom.classes)
+            if (expression->kind != ClassKind::named) (void)grounder_.ground(expression, Level::region, axiom);
+        refuse(axiom, "no axiom says whether it is about regions or objects",
+               "put its classes below core:Region or core:Object");
     }
 
     void define(int id, FormulaId formula, std::size_t axiom) {
@@ -217,8 +231,7 @@ private:
             theory_.concepts[id].incompatible = true;
             if (rest.empty()) return;
         }
-        if (level == Level::unknown)
-            refuse(axiom, "no axiom says whether it is about regions or objects", "put its classes below core:Region or core:Object");
+        if (level == Level::unknown) refuse_unknown(axiom);
         const FormulaId premise = grounder_.ground(sub, level, axiom);
         std::vector<FormulaId> conclusions;
         for (const ClassPointer& part : rest) conclusions.push_back(grounder_.ground(part, level, axiom));
@@ -239,13 +252,13 @@ private:
                            "put its classes below core:Region or core:Object");
                 if (a != b) continue;
                 if (a == Level::feature) {
-                    check_values(axiom, [&](std::size_t r) {
-                        return !values(axiom, i, r).intersects(values(axiom, j, r));
-                    });
+                    check_values(axiom,
+                                 [&](std::size_t r) { return !values(axiom, i, r).intersects(values(axiom, j, r)); });
                     continue;
                 }
-                constrain(a, index, grounder_.negate(grounder_.conjoin({grounder_.ground(axiom.classes[i], a, axiom),
-                                                                         grounder_.ground(axiom.classes[j], a, axiom)})));
+                constrain(a, index,
+                          grounder_.negate(grounder_.conjoin({grounder_.ground(axiom.classes[i], a, axiom),
+                                                              grounder_.ground(axiom.classes[j], a, axiom)})));
             }
     }
 

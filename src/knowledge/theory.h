@@ -7,8 +7,9 @@
 
 #include "knowledge/domain.h"
 
-// Inside of the knowledge folder: an ontology as formulas over feature variables, part counts and concepts, and the two steps
-// that turn them into configuration spaces. Everything that a user may have written wrongly is found by read_theory.
+// Inside of the knowledge folder: an ontology as formulas over feature variables, part counts and concepts, and the two
+// steps that turn them into configuration spaces. Everything that a user may have written wrongly is found by
+// read_theory.
 
 namespace partonomy::knowledge {
 
@@ -43,8 +44,8 @@ struct NamedConcept {
     Iri iri;
     Level level = Level::unknown;  ///< region or object
     bool incompatible = false;
-    FormulaId definition = -1;     ///< -1: primitive
-    std::size_t axiom = 0;         ///< that defines it
+    FormulaId definition = -1;  ///< -1: primitive
+    std::size_t axiom = 0;      ///< that defines it
 };
 
 /// A formula that holds in every configuration of its layer.
@@ -68,14 +69,15 @@ struct Theory {
     [[nodiscard]] int find(const Iri& iri) const;  ///< concept, -1 when there is none
 };
 
-/// Range concepts in the order of their properties' range axioms, and measured properties by IRI, with their values, intervals,
-/// criteria and costs. Throws OntologyError.
+/// Range concepts in the order of their properties' range axioms, and measured properties by IRI, with their values,
+/// intervals, criteria and costs. Throws OntologyError.
 [[nodiscard]] std::vector<RangeConcept> find_ranges(const owl::Ontology& ontology);
 [[nodiscard]] std::vector<MeasuredProperty> find_numbers(const owl::Ontology& ontology);
 
 /// The part of the number line that a data range allows, as cuts; throws OntologyError for what is no range of numbers.
 /// `ends` is ascending and disjoint.
-[[nodiscard]] std::vector<MeasuredProperty::Interval> number_range(const owl::DataRange& range, const owl::Axiom& axiom);
+[[nodiscard]] std::vector<MeasuredProperty::Interval> number_range(const owl::DataRange& range,
+                                                                   const owl::Axiom& axiom);
 
 /// What each named class speaks of, found from the axioms alone. Classes that no axiom ties to anything are absent.
 [[nodiscard]] std::map<Iri, Level> find_levels(const owl::Ontology& ontology, const std::vector<RangeConcept>& ranges);
@@ -88,34 +90,38 @@ struct Theory {
 
 /// Which part of a theory to look at: explanations take axioms away and only need what the goal rests on.
 struct Scope {
-    std::vector<char> axioms;    ///< by axiom of the ontology: its definition or constraint counts
-    std::vector<char> concepts;  ///< by concept: has a set in the layer; primitive when its defining axiom does not count
+    std::vector<char> axioms;  ///< by axiom of the ontology: its definition or constraint counts
+    std::vector<char>
+        concepts;  ///< by concept: has a set in the layer; primitive when its defining axiom does not count
     std::vector<char> features;  ///< by feature variable: has a variable in the layer
 };
 [[nodiscard]] Scope whole_scope(const Theory& theory, std::size_t axiom_count);
-/// The concepts and features that `goal` (a concept, -1 for none) and the counting constraints rest on. With `all_features`
-/// every feature counts.
+/// The concepts and features that `goal` (a concept, -1 for none) and the counting constraints rest on. With
+/// `all_features` every feature counts.
 [[nodiscard]] Scope cone(const Theory& theory, int goal, std::vector<char> axioms, bool all_features);
 
 /// A layer in the making, and when made.
 struct Layer {
-    Space space;                             ///< variables, holds, size, product
-    std::vector<ConfigurationSet> concepts;  ///< by concept of the theory; of size 0 when out of scope or of another layer
-    std::vector<int> features;               ///< variable of each feature, -1 when out of scope
-    std::vector<int> primitives;             ///< variable of each concept, -1 when it has none
-    std::vector<int> atoms;                  ///< variable of each `parts` formula; -1: cannot hold
+    Space space;  ///< variables, holds, size, product
+    std::vector<ConfigurationSet>
+        concepts;                 ///< by concept of the theory; of size 0 when out of scope or of another layer
+    std::vector<int> features;    ///< variable of each feature, -1 when out of scope
+    std::vector<int> primitives;  ///< variable of each concept, -1 when it has none
+    std::vector<int> atoms;       ///< variable of each `parts` formula; -1: cannot hold
 };
 
 /// The configurations in which `formula` holds. Concepts must have their sets already (see close_layer).
 [[nodiscard]] ConfigurationSet evaluate(const Theory& theory, const Layer& layer, FormulaId formula);
 
-/// Gives each concept of `level` its set, and packs the layer to the configurations that satisfy the constraints. Returns those.
+/// Gives each concept of `level` its set, and packs the layer to the configurations that satisfy the constraints.
+/// Returns those.
 ConfigurationSet close_layer(const Theory& theory, const Scope& scope, Level level, Layer& layer);
 
 /// Adds a yes/no variable for each primitive concept of `level`; returns how many.
 std::size_t add_primitives(const Theory& theory, const Scope& scope, Level level, Layer& layer);
 
-/// The configurations of one region. Throws OntologyError when there would be more than `limit` (no source: the caller adds it).
+/// The configurations of one region. Throws OntologyError when there would be more than `limit` (no source: the caller
+/// adds it).
 [[nodiscard]] Layer build_regions(const Theory& theory, const Scope& scope, std::size_t limit);
 
 /// How many parts of each class an object has, each count capped where more makes no difference, packed into one word.
@@ -157,7 +163,8 @@ struct Parts {
 [[nodiscard]] std::vector<Counts> with_any_more(const Parts& parts, const std::vector<Counts>& counts,
                                                 const std::vector<std::size_t>& types, std::size_t limit);
 
-/// The counts of an object that consists of `regions`, each known to lie in its set. An empty set (a contradiction) tells nothing about its region. Ascending.
+/// The counts of an object that consists of `regions`, each known to lie in its set. An empty set (a contradiction)
+/// tells nothing about its region. Ascending.
 [[nodiscard]] std::vector<Counts> reachable_counts(const Parts& parts, const std::vector<ConfigurationSet>& regions);
 
 struct ObjectLayer {
@@ -173,7 +180,8 @@ struct ObjectLayer {
 /// Fills `beyond`, unless it would take too much memory. `objects` must have all counts that there are.
 void prepare_beyond(const Parts& parts, ObjectLayer& objects);
 /// The configurations of `counts` with any number of more parts of any type.
-[[nodiscard]] ConfigurationSet with_more_parts(const Parts& parts, const ObjectLayer& objects, const std::vector<Counts>& counts);
+[[nodiscard]] ConfigurationSet with_more_parts(const Parts& parts, const ObjectLayer& objects,
+                                               const std::vector<Counts>& counts);
 
 /// The configurations of an object whose part counts are among `counts`.
 [[nodiscard]] ObjectLayer build_objects(const Theory& theory, const Scope& scope, const Parts& parts,

@@ -4,8 +4,9 @@
 
 #include "knowledge/decision_tree.h"
 
-// The tree as files. Beside what the nodes hold, each shows its features as in paper Fig. 8: *told* by an answer on the way
-// from the root, *inferred* because one value is left, *ruled out*. Where several ways lead to a node, the first one counts.
+// The tree as files. Beside what the nodes hold, each shows its features as in paper Fig. 8: *told* by an answer on the
+// way from the root, *inferred* because one value is left, *ruled out*. Where several ways lead to a node, the first
+// one counts.
 
 namespace partonomy::knowledge {
 namespace {
@@ -118,7 +119,8 @@ std::string to_text(const Space& space, Question question, const Domain& domain)
         if (!value.question.empty()) return value.question;
     }
     if (variable.kind == VariableKind::parts) return "has it at least " + part_words(variable);
-    const std::string name = variable.kind == VariableKind::range ? variable.values[question.value] : owl::local_name(variable.iri);
+    const std::string name =
+        variable.kind == VariableKind::range ? variable.values[question.value] : owl::local_name(variable.iri);
     const bool vowel = !name.empty() && std::string("aeiouAEIOU").find(name[0]) != std::string::npos;
     return "is it " + std::string(vowel ? "an " : "a ") + name;
 }
@@ -182,9 +184,12 @@ std::string to_dot(const DecisionTree& tree, const Domain& domain) {
     const auto concept_name = [&](ConceptId id) { return owl::local_name(space.concepts[id].iri); };
     const auto value_name = [&](Question value) { return value_words(space, value); };
     const auto row = [](const std::string& text, const char* color, const std::string& before = {}) {
-        return text.empty() ? std::string() : "<br/><font color=\"" + std::string(color) + "\">" + escaped(before + text) + "</font>";
+        return text.empty() ? std::string()
+                            : "<br/><font color=\"" + std::string(color) + "\">" + escaped(before + text) + "</font>";
     };
-    std::string dot = "digraph decision_tree {\n  node [shape=box, style=\"rounded,filled\", fillcolor=white, fontname=\"Helvetica\"];\n";
+    std::string dot =
+        "digraph decision_tree {\n  node [shape=box, style=\"rounded,filled\", fillcolor=white, "
+        "fontname=\"Helvetica\"];\n";
     const std::vector<Features> features = follow(tree);
     for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
         const TreeNode& node = tree.nodes[i];
@@ -193,15 +198,18 @@ std::string to_dot(const DecisionTree& tree, const Domain& domain) {
         const std::string title = node.question      ? question_words(space, node, domain) + "?"
                                   : asserted.empty() ? "nothing named"
                                                      : asserted;
-        dot += "  n" + std::to_string(i) + " [fillcolor=\"" + (node.question ? "#fff3c4" : "#e3f1e1") + "\", label=<<b>" +
-               escaped(title) + "</b><br/>" + std::to_string(count) + (count == 1 ? " configuration" : " configurations") +
-               row(join(features[i].told, value_name), "#c05a00") + row(join(features[i].inferred, value_name), "#1f5fbf");
+        dot +=
+            "  n" + std::to_string(i) + " [fillcolor=\"" + (node.question ? "#fff3c4" : "#e3f1e1") + "\", label=<<b>" +
+            escaped(title) + "</b><br/>" + std::to_string(count) + (count == 1 ? " configuration" : " configurations") +
+            row(join(features[i].told, value_name), "#c05a00") + row(join(features[i].inferred, value_name), "#1f5fbf");
         if (node.question) dot += row(asserted, "#2e7d32", "is ");
         dot += row(join(node.excluded, concept_name), "#888888", "not ") + ">];\n";
     }
     for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
-        if (tree.nodes[i].yes >= 0) dot += "  n" + std::to_string(i) + " -> n" + std::to_string(tree.nodes[i].yes) + " [label=yes];\n";
-        if (tree.nodes[i].no >= 0) dot += "  n" + std::to_string(i) + " -> n" + std::to_string(tree.nodes[i].no) + " [label=no];\n";
+        if (tree.nodes[i].yes >= 0)
+            dot += "  n" + std::to_string(i) + " -> n" + std::to_string(tree.nodes[i].yes) + " [label=yes];\n";
+        if (tree.nodes[i].no >= 0)
+            dot += "  n" + std::to_string(i) + " -> n" + std::to_string(tree.nodes[i].no) + " [label=no];\n";
     }
     return dot + "}\n";
 }

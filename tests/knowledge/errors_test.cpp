@@ -1,0 +1,107 @@
+#include "base/errors.h"
+
+#include <gtest/gtest.h>
+
+#include "mini.h"
+
+using namespace mini;
+using owl::AxiomKind;
+
+namespace {
+
+std::string error_of(const owl::Ontology& ontology, std::size_t limit = 1 << 20) {
+    try {
+        (void)knowledge::compile(ontology, {limit});
+    } catch (const OntologyError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+/// The last axiom of `ontology` is at fault; the sentence names its line and has `hint` in it.
+void expect_refused(Ontology ontology, const std::string& hint) {
+    const std::string place = "mini.ttl:" + std::to_string(ontology.result.axioms.size()) + ": ";
+    ontology.same("SomeObject", some("hasPart", name("Thing")));
+    const std::string error = error_of(ontology.result);
+    EXPECT_TRUE(error.starts_with(place)) << error;
+    EXPECT_NE(error.find(hint), std::string::npos) << error;
+}
+
+}  // namespace
+
+TEST(Errors, NameAxiomFileAndLine) {
+    expect_refused(shapes().same("Seat", some("hasShape", "Vertical")), "write hasOrientation some Vertical");
+    expect_refused(shapes().same("Seat", both({name("Region"), name("Board")})), "write hasShape some Board");
+    expect_refused(shapes().same("Seat", some("touches", "Board")),
+                   "touches is neither hasPart nor a functional property");
+    expect_refused(shapes().same("Back", both({name("Region"), some("hasPart", "Thing")})), "third layer");
+    expect_refused(shapes().same("Chair", both({name("Object"), some("hasShape", "Board")})),
+                   "write hasPart some (hasShape some Board)");
+    expect_refused(shapes().same("Chair", some("hasPart", name("Object"))), "object where a region is meant");
+    expect_refused(shapes().same("Chair", some("hasPart", "Unheard")), "no axiom says whether Unheard");
+    expect_refused(shapes().same("Bad", both({name("Incompatible"), some("hasShape", "Board")})),
+                   "write SubClassOf: Incompatible");
+    expect_refused(shapes().sub(some("hasShape", "Board"), name("Incompatible")), "needs a name");
+    expect_refused(shapes().same("Seat", make(ClassKind::has_self, "hasShape", {})), "itself");
+    expect_refused(shapes().same("Seat", both({name("Region"), make(ClassKind::one_of, "", {})})), "individual");
+    Ontology assertion = shapes();
+    assertion.axiom(AxiomKind::class_assertion, {name("Region")}).result.axioms.back().individuals = {iri("mine")};
+    expect_refused(assertion, "individual");
+    expect_refused(shapes().axiom(AxiomKind::functional_object_property, {}, "hasPart"), "several parts");
+    expect_refused(shapes().axiom(AxiomKind::symmetric_object_property, {}, "hasPart"), "one property each");
+    expect_refused(shapes().same("Seat", number("height", {{"maxInclusive", "1"}})), "declare height functional");
+    expect_refused(shapes().measured("height").same("Seat", number("height", {{"maxInclusive", "tall"}})),
+                   "\"tall\" is no number");
+    expect_refused(shapes().measured("height").same("Seat", number("height", {{"totalDigits", "3"}})),
+                   "no bound of a number");
+    expect_refused(shapes().sub("Board", "Stick"), "takes values away");
+    expect_refused(shapes().sub("ThinBoard", "Board"), "ThinBoard is no value of Shape");
+}
+
+TEST(Errors, CircularDefinitions) {
+    Ontology ontology = shapes();
+    ontology.same("A", both({name("Region"), name("B"), some("hasShape", "Board")}))
+        .same("B", both({name("A"), some("hasOrientation", "Vertical")}))
+        .same("Chair", some("hasPart", "A"));
+    const std::string error = error_of(ontology.result);
+    EXPECT_NE(error.find("A is defined by itself through mini.ttl:10"), std::string::npos) << error;
+    EXPECT_TRUE(error.starts_with("mini.ttl:9: ")) << error;
+}
+
+TEST(Errors, InconsistentLayersAreBlamed) {
+    Ontology ontology = shapes();
+    ontology.same("Chair", some("hasPart", "Thing"))
+        .sub(name("Region"), some("hasShape", "Board"))
+        .sub(some("hasShape", "Board"), name("Nothing"));
+    EXPECT_TRUE(error_of(ontology.result).starts_with("mini.ttl:11: ")) << error_of(ontology.result);
+    Ontology objects = shapes();
+    objects.same("Chair", some("hasPart", "Thing"))
+        .sub(name("Object"), name("Chair"))
+        .sub(name("Chair"), at_most(0, name("Thing")));
+    EXPECT_NE(error_of(objects.result).find("leaves no object possible"), std::string::npos)
+        << error_of(objects.result);
+}
+
+TEST(Errors, LimitsAndNoObjects) {
+    Ontology ontology = shapes();
+    EXPECT_NE(error_of(ontology.result).find("no concept describes an object"), std::string::npos);
+    ontology.same("Chair", some("hasPart", "Thing"));
+    EXPECT_NE(error_of(ontology.result, 5).find("more than 5 ways"), std::string::npos) << error_of(ontology.result, 5);
+    Ontology parts = shapes();
+    for (unsigned i = 0; i < 12; ++i)
+        parts.same(std::string(1, static_cast<char>('a' + i)),
+                   at_least(5 + i, some("hasShape", i % 2 == 1 ? "Board" : "Cube")));
+    EXPECT_NE(error_of(parts.result, 100).find("more than 100 ways"), std::string::npos) << error_of(parts.result, 100);
+}
+
+TEST(Errors, KnobsOutOfOrder) {
+    for (const std::string text : {"l0/l1 2 1 3 4", "1 2 3 4", "l0/l1 a b c d", "l0/l1 nan 1 2 3", ""}) {
+        Ontology ontology = shapes();
+        ontology.note("Board", "criterion", text).same("Chair", some("hasPart", "Thing"));
+        const std::string error = error_of(ontology.result);
+        EXPECT_TRUE(error.starts_with("mini.ttl:1000: ")) << error;
+    }
+    Ontology ontology = shapes();
+    ontology.note("Board", "cost", "-1").same("Chair", some("hasPart", "Thing"));
+    EXPECT_NE(error_of(ontology.result).find("above 0"), std::string::npos);
+}
