@@ -67,8 +67,9 @@ std::vector<fs::path> output_folders(const Arguments& arguments) {
     for (const std::string& mesh : arguments.meshes) {
         const std::string stem = fs::path(mesh).stem().string();
         if (const auto [other, is_new] = owners.emplace(stem, mesh); !is_new)
-            throw UsageError(fmt::format("{} and {} would both be written to {}: rename one, or annotate them into two folders",
-                                         other->second, mesh, (fs::path(arguments.output) / stem).string()));
+            throw UsageError(
+                fmt::format("{} and {} would both be written to {}: rename one, or annotate them into two folders",
+                            other->second, mesh, (fs::path(arguments.output) / stem).string()));
         folders.push_back(fs::path(arguments.output) / stem);
     }
     return folders;
@@ -100,9 +101,9 @@ Annotation annotate_file(const Arguments& arguments, const Knowhow& knowhow, con
     const double reading_ms = watch.lap();
 
     progress.show(fmt::format("{}: asking", mesh_path));
-    Annotation annotation = annotate(knowhow.domain, knowhow.catalogue, object,
-                                     {parse_strategy(arguments.strategy), parse_criterion(arguments.criterion),
-                                      arguments.threads});
+    Annotation annotation =
+        annotate(knowhow.domain, knowhow.catalogue, object,
+                 {parse_strategy(arguments.strategy), parse_criterion(arguments.criterion), arguments.threads});
     annotation.timings_ms.insert(annotation.timings_ms.begin(),
                                  {{"load ontology", knowhow.load_ms}, {"read mesh", reading_ms}});
     annotation.mesh_file = mesh_path;
@@ -150,6 +151,7 @@ int run_annotate(const Arguments& arguments) {
     static_cast<void>(parse_unit(arguments.unit));
     static_cast<void>(parse_strategy(arguments.strategy));
     static_cast<void>(parse_criterion(arguments.criterion));
+    check_formats({arguments.formats.begin(), arguments.formats.end()});
     const std::vector<fs::path> folders = output_folders(arguments);
     const Progress progress(arguments.quiet);
     progress.show("reading " + arguments.ontology.path);
@@ -169,7 +171,8 @@ int run_annotate(const Arguments& arguments) {
                 fmt::print("{}\n", summary(annotation, folders[i]));
             }
             if (arguments.json) fmt::print("{}\n", to_json(annotation));
-            if (exit_code == recognised && (!annotation.consistent || !is_recognised(annotation))) exit_code = incompatible;
+            if (exit_code == recognised && (!annotation.consistent || !is_recognised(annotation)))
+                exit_code = incompatible;
         } catch (const Error& error) {
             progress.show("");
             fmt::print(stderr, "partonomy: {}\n", error.what());
@@ -186,12 +189,15 @@ void add_annotate_command(CLI::App& app, Run& run) {
     CLI::App& command = *app.add_subcommand("annotate", "cut meshes into named parts");
     command.add_option("MESH", arguments->meshes, "OFF, OBJ, STL or PLY files")->required();
     arguments->ontology.add_to(command, false);
-    command.add_option("-o,--output", arguments->output, "folder to write to; each mesh gets a folder of its own in it")
+    command
+        .add_option("-o,--output", arguments->output, "folder to write to; each mesh gets a folder of its own in it")
         ->capture_default_str();
     command.add_option("--up", arguments->up, "axis that points up: x, -x, y, -y, z, -z")->capture_default_str();
-    command.add_option("--unit", arguments->unit, "unit of the file: m, cm, mm, in; auto leaves questions of size open")
+    command
+        .add_option("--unit", arguments->unit, "unit of the file: m, cm, mm, in; auto leaves questions of size open")
         ->capture_default_str();
-    command.add_option("--strategy", arguments->strategy, "expert, naive or segment-then-identify")->capture_default_str();
+    command.add_option("--strategy", arguments->strategy, "expert, naive or segment-then-identify")
+        ->capture_default_str();
     command.add_option("--criterion", arguments->criterion, "gain-per-cost or dichotomy")->capture_default_str();
     command.add_option("--threads", arguments->threads, "threads to use; 0 for all cores")
         ->check(CLI::NonNegativeNumber)

@@ -9,7 +9,8 @@ namespace partonomy::app {
 
 void add_catalogue_command(CLI::App& app, Run& run) {
     auto ontology = std::make_shared<OntologyArguments>();
-    CLI::App& command = *app.add_subcommand("catalogue", "every elementary algorithm, its signature and cost; every measure");
+    CLI::App& command =
+        *app.add_subcommand("catalogue", "every elementary algorithm, its signature and cost; every measure");
     ontology->add_to(command, true);
     command.callback([ontology, &run] {
         run = [ontology] {

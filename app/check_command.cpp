@@ -61,12 +61,13 @@ int run_check(const Arguments& arguments) {
         ordered_json hierarchy = ordered_json::array();
         for (const auto& [sub, super] : domain.hierarchy())
             hierarchy.push_back({owl::local_name(sub), owl::local_name(super)});
-        const ordered_json result = {{"ontology", domain.ontology.iri},
-                                     {"layers", {{"S1", space_as_json(domain.regions)}, {"S2", space_as_json(domain.objects)}}},
-                                     {"hierarchy", hierarchy},
-                                     {"unsatisfiable", unsatisfiable},
-                                     {"warnings", domain.warnings},
-                                     {"ok", !is_wrong}};
+        const ordered_json result = {
+            {"ontology", domain.ontology.iri},
+            {"layers", {{"S1", space_as_json(domain.regions)}, {"S2", space_as_json(domain.objects)}}},
+            {"hierarchy", hierarchy},
+            {"unsatisfiable", unsatisfiable},
+            {"warnings", domain.warnings},
+            {"ok", !is_wrong}};
         fmt::print("{}\n", result.dump(2));
     } else {
         fmt::print("{}: {} axioms\n", domain.ontology.iri, domain.ontology.axioms.size());

@@ -17,8 +17,8 @@ namespace partonomy::app {
 /// Exit codes that users script against.
 enum ExitCode { recognised = 0, bad_input = 1, incompatible = 2 };
 
-/// Each adds its subcommand to the command line; when the user chose it, `run` is set to what does the work and returns the
-/// exit code. Errors leave as exceptions of base/errors.h.
+/// Each adds its subcommand to the command line; when the user chose it, `run` is set to what does the work and returns
+/// the exit code. Errors leave as exceptions of base/errors.h.
 using Run = std::function<int()>;
 void add_annotate_command(CLI::App& app, Run& run);
 void add_check_command(CLI::App& app, Run& run);

@@ -44,7 +44,8 @@ std::vector<fs::path> annotated_folders(const fs::path& folder) {
         if (fs::exists(entry.path() / "labels.txt")) folders.push_back(entry.path());
     std::sort(folders.begin(), folders.end());
     if (folders.empty())
-        throw UsageError(at(folder.string(), 0, "holds no labels.txt, nor has a subfolder with one; run partonomy annotate first"));
+        throw UsageError(
+            at(folder.string(), 0, "holds no labels.txt, nor has a subfolder with one; run partonomy annotate first"));
     return folders;
 }
 
@@ -85,11 +86,13 @@ int run_eval(const Arguments& arguments) {
     if (!arguments.json)
         fmt::print("{:<24} {:>9} {:>9} {:>9}  {}\n", "mesh", "area acc.", "face acc.", "Rand err.", "IoU by label");
     for (const fs::path& folder : folders) {
-        const std::string stem = folder.filename().empty() ? folder.parent_path().filename().string() : folder.filename().string();
+        const std::string stem =
+            folder.filename().empty() ? folder.parent_path().filename().string() : folder.filename().string();
         const LoadedMesh loaded = read_mesh(arguments.mesh.empty() ? mesh_of(folder) : arguments.mesh);
         const std::vector<std::string> truth =
             read_truth(truth_file(arguments.truth, stem).string(), loaded.mesh.input_face_count, names);
-        const Evaluation result = evaluate_labels(lines_of(folder / "labels.txt"), truth, input_face_areas(loaded.mesh));
+        const Evaluation result =
+            evaluate_labels(lines_of(folder / "labels.txt"), truth, input_face_areas(loaded.mesh));
         mean += result.area_accuracy / static_cast<double>(folders.size());
         if (arguments.json) {
             results.push_back({{"mesh", stem},
@@ -118,9 +121,11 @@ void add_eval_command(CLI::App& app, Run& run) {
     auto arguments = std::make_shared<Arguments>();
     CLI::App& command = *app.add_subcommand("eval", "accuracy of annotated meshes against a truth");
     command.add_option("DIR", arguments->run_folder, "folder of one annotated mesh, or of many")->required();
-    command.add_option("--truth", arguments->truth, "file with true labels, or a folder of them named after the meshes")
+    command
+        .add_option("--truth", arguments->truth, "file with true labels, or a folder of them named after the meshes")
         ->required();
-    command.add_option("--names", arguments->names, "what truth labels are called in the ontology: support=Seat,leg=Leg")
+    command
+        .add_option("--names", arguments->names, "what truth labels are called in the ontology: support=Seat,leg=Leg")
         ->delimiter(',');
     command.add_option("--mesh", arguments->mesh, "the mesh, when it is not where it was annotated");
     command.add_flag("--json", arguments->json, "print JSON");

@@ -29,7 +29,8 @@ json load(const std::string& folder) {
 
 bool mentions(const std::string& text, const std::string& part) {
     for (std::size_t i = text.find(part); i != std::string::npos; i = text.find(part, i + 1))
-        if (i + part.size() == text.size() || !std::isdigit(static_cast<unsigned char>(text[i + part.size()]))) return true;
+        if (i + part.size() == text.size() || !std::isdigit(static_cast<unsigned char>(text[i + part.size()])))
+            return true;
     return false;
 }
 
@@ -75,7 +76,8 @@ int run_explain(const Arguments& arguments) {
                 is_found = true;
             }
         if (arguments.part != 0 && !is_found)
-            throw UsageError(fmt::format("--part {}: there are parts 1 to {}", arguments.part, annotation.at("parts").size()));
+            throw UsageError(
+                fmt::format("--part {}: there are parts 1 to {}", arguments.part, annotation.at("parts").size()));
         for (const json& diagnosis : annotation.at("diagnosis")) {
             fmt::print("impossible: {}, because of part {}\n", diagnosis.at("concept").get<std::string>(),
                        fmt::join(diagnosis.at("parts").get<std::vector<int>>(), ", "));
@@ -85,8 +87,8 @@ int run_explain(const Arguments& arguments) {
         }
         return object.at("consistent").get<bool>() ? recognised : incompatible;
     } catch (const json::exception& error) {
-        throw UsageError(at(arguments.folder + "/annotation.json", 0,
-                            std::string("is not a complete annotation: ") + error.what()));
+        throw UsageError(
+            at(arguments.folder + "/annotation.json", 0, std::string("is not a complete annotation: ") + error.what()));
     }
 }
 

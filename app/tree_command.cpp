@@ -23,7 +23,8 @@ struct Arguments {
 int run_tree(const Arguments& arguments) {
     const std::string extension = std::filesystem::path(arguments.output).extension().string();
     if (!arguments.output.empty() && extension != ".json" && extension != ".dot")
-        throw UsageError(fmt::format("-o {}: cannot tell the format, use a name that ends in .json or .dot", arguments.output));
+        throw UsageError(
+            fmt::format("-o {}: cannot tell the format, use a name that ends in .json or .dot", arguments.output));
     const auto start = std::chrono::steady_clock::now();
     const knowledge::Domain domain = arguments.ontology.load();
     const Catalogue catalogue = make_catalogue(domain);
@@ -49,8 +50,8 @@ int run_tree(const Arguments& arguments) {
         fmt::print("{}", to_dot(tree, domain));
     else
         write_file(arguments.output, extension == ".json" ? to_json(tree, domain) : to_dot(tree, domain));
-    fmt::print(stderr, "{}: {} configurations, {} nodes, depth {}, {:.1f} ms from file to tree\n", arguments.ontology.path,
-               domain.regions.possible.count(), tree.nodes.size(), tree.depth(), ms);
+    fmt::print(stderr, "{}: {} configurations, {} nodes, depth {}, {:.1f} ms from file to tree\n",
+               arguments.ontology.path, domain.regions.possible.count(), tree.nodes.size(), tree.depth(), ms);
     return recognised;
 }
 

@@ -58,7 +58,8 @@ void run_program(const std::vector<std::string>& arguments) {
 const std::string ontology = PARTONOMY_SOURCE_DIR "/ontologies/furniture.ttl";
 
 void bench_whole_process(const fs::path& folder) {
-    fmt::print("\nWhole process, warm cache, all formats, one thread (floor: --version, which only starts the program)\n");
+    fmt::print(
+        "\nWhole process, warm cache, all formats, one thread (floor: --version, which only starts the program)\n");
     const double floor = median_ms(41, [] { run_program({PARTONOMY_BINARY, "--version"}); });
     fmt::print("  {:<18} {:>9} {:>9} {:>9}\n", "object", "triangles", "ms", "x floor");
     fmt::print("  {:<18} {:>9} {:>9.1f} {:>9.1f}\n", "--version", "", floor, 1.0);
@@ -67,7 +68,8 @@ void bench_whole_process(const fs::path& folder) {
         const std::string mesh = (folder / (object.name + ".off")).string();
         write_file(mesh, to_off(object.mesh));
         const double ms = median_ms(21, [&] {
-            run_program({PARTONOMY_BINARY, "annotate", mesh, "--ontology", ontology, "-o", out, "--threads", "1", "--quiet"});
+            run_program(
+                {PARTONOMY_BINARY, "annotate", mesh, "--ontology", ontology, "-o", out, "--threads", "1", "--quiet"});
         });
         fmt::print("  {:<18} {:>9} {:>9.1f} {:>9.1f}\n", object.name, object.mesh.triangles.size(), ms, ms / floor);
     }
@@ -80,8 +82,8 @@ void bench_ontology() {
     const double compile = median_ms(41, [&] { static_cast<void>(knowledge::compile(loaded)); });
     const knowledge::Domain domain = knowledge::compile(loaded);
     const double tree = median_ms(41, [&] { static_cast<void>(build_tree(domain.regions, {})); });
-    fmt::print("  read {:.2f} ms, compile {:.2f} ms, whole tree of {} configurations {:.2f} ms; together {:.2f} ms\n", load,
-               compile, domain.regions.possible.count(), tree, load + compile + tree);
+    fmt::print("  read {:.2f} ms, compile {:.2f} ms, whole tree of {} configurations {:.2f} ms; together {:.2f} ms\n",
+               load, compile, domain.regions.possible.count(), tree, load + compile + tree);
 }
 
 void bench_find_parts(const std::string& name, const TriangleMesh& mesh) {
@@ -99,7 +101,8 @@ void bench_find_parts(const std::string& name, const TriangleMesh& mesh) {
     fmt::print("  reference: Embree build {:.1f} + one ray per triangle {:.1f} = {:.1f} ms (with set-up {:.1f} ms)\n",
                embree.build, embree.rays, embree.total(), embree_ms);
     fmt::print("  find parts: {:.1f} ms = {:.2f} x reference\n", ours, ours / embree.total());
-    for (const auto& [stage, ms] : stages) fmt::print("    {:<28} {:>8.1f} ms {:>6.2f} x\n", stage, ms, ms / embree.total());
+    for (const auto& [stage, ms] : stages)
+        fmt::print("    {:<28} {:>8.1f} ms {:>6.2f} x\n", stage, ms, ms / embree.total());
 }
 
 }  // namespace

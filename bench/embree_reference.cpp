@@ -20,12 +20,13 @@ EmbreeTimes time_embree(const TriangleMesh& mesh, const TriangleGeometry& geomet
     auto start = std::chrono::steady_clock::now();
     RTCScene scene = rtcNewScene(device);
     RTCGeometry triangles = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(triangles, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                                                 3 * sizeof(float), mesh.positions.size()));
+    auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
+        triangles, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), mesh.positions.size()));
     for (std::size_t v = 0; v < mesh.positions.size(); ++v)
-        for (int i = 0; i < 3; ++i) vertices[3 * v + static_cast<std::size_t>(i)] = static_cast<float>(mesh.positions[v][i]);
-    auto* indices = static_cast<unsigned*>(rtcSetNewGeometryBuffer(triangles, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                                                   3 * sizeof(unsigned), mesh.triangles.size()));
+        for (int i = 0; i < 3; ++i)
+            vertices[3 * v + static_cast<std::size_t>(i)] = static_cast<float>(mesh.positions[v][i]);
+    auto* indices = static_cast<unsigned*>(rtcSetNewGeometryBuffer(
+        triangles, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(unsigned), mesh.triangles.size()));
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
         for (std::size_t i = 0; i < 3; ++i) indices[3 * t + i] = static_cast<unsigned>(mesh.triangles[t][i]);
     rtcCommitGeometry(triangles);

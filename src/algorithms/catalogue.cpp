@@ -1,9 +1,10 @@
 /* The catalogue of elementary algorithms (paper §3.4): which questions can be answered, how, and at what cost.
  *
  * `is a` needs no code: the ontology ties a concept to measurements and trapezoids, and the score is the lowest of them
- * (paper §4.1, §6.3). `find all` exists for the shapes of boxes, as in paper §4.2.2: one segmentation cuts the mesh into
- * box-like regions, and each `find all` keeps those that are the shape asked for. A number that an axiom mentions
- * ("height <= 0.55") is answered by its measure; its score falls from 1 to 0 over a tenth of the number at either side. */
+ * (paper §4.1, §6.3). `find all` exists for the shapes of boxes, as in paper §4.2.2: one segmentation cuts the mesh
+ * into box-like regions, and each `find all` keeps those that are the shape asked for. A number that an axiom mentions
+ * ("height <= 0.55") is answered by its measure; its score falls from 1 to 0 over a tenth of the number at either side.
+ */
 
 #include "algorithms/catalogue.h"
 
@@ -55,8 +56,8 @@ const Measure& require_measure(const Domain& domain, const owl::Iri& iri, const 
         for (const owl::Annotation& annotation : found->second)
             if (annotation.literal.value.find(name) != std::string::npos) source = annotation.source;
     throw OntologyError(at(source.file, source.line,
-                           fmt::format("{}: there is no measure \"{}\"; did you mean \"{}\"?", owl::local_name(iri), name,
-                                       nearest->name)));
+                           fmt::format("{}: there is no measure \"{}\"; did you mean \"{}\"?", owl::local_name(iri),
+                                       name, nearest->name)));
 }
 
 double number_score(double x, double limit, bool closed) {
@@ -93,8 +94,11 @@ Catalogue make_catalogue(const Domain& domain) {
                 }
                 const std::string name = owl::local_name(value.iri);
                 if (range.iri == std::string(owl::core_prefix) + "Shape" && has_find_all(name))
-                    catalogue.algorithms.push_back({Signature::find_all, {v, i}, name,
-                                                    "regions of the box-like partition with " + method, find_all_cost,
+                    catalogue.algorithms.push_back({Signature::find_all,
+                                                    {v, i},
+                                                    name,
+                                                    "regions of the box-like partition with " + method,
+                                                    find_all_cost,
                                                     needs_metres});
                 catalogue.algorithms.push_back(
                     {Signature::is_a, {v, i}, name, method, value.cost.value_or(1), needs_metres});

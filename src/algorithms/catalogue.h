@@ -26,18 +26,19 @@ struct ElementaryAlgorithm {
     bool needs_metres;
 };
 
-/// All elementary algorithms for a domain: an `is a` for every elementary concept with criteria and every number that axioms
-/// mention, a `find all` for the box shapes.
+/// All elementary algorithms for a domain: an `is a` for every elementary concept with criteria and every number that
+/// axioms mention, a `find all` for the box shapes.
 struct Catalogue {
     std::vector<ElementaryAlgorithm> algorithms;
     [[nodiscard]] const ElementaryAlgorithm* find(Signature signature, knowledge::Question question) const;
 };
 
-/// Throws OntologyError when core:measure or core:criterion names a measure that does not exist (with the nearest right name).
+/// Throws OntologyError when core:measure or core:criterion names a measure that does not exist (with the nearest right
+/// name).
 [[nodiscard]] Catalogue make_catalogue(const knowledge::Domain& domain);
 
-/// Score in [0, 1] of "the region is what the question says": >= 0.5 means yes. nullopt when nothing can tell: no algorithm, or
-/// no unit. (SI of paper §6.3: the lowest of the concept's trapezoids.)
+/// Score in [0, 1] of "the region is what the question says": >= 0.5 means yes. nullopt when nothing can tell: no
+/// algorithm, or no unit. (SI of paper §6.3: the lowest of the concept's trapezoids.)
 [[nodiscard]] std::optional<double> is_a(const knowledge::Domain& domain, knowledge::Question question,
                                          const Object& object, const RegionMeasurements& region);
 

@@ -1,9 +1,10 @@
 /* The measurements behind `is a` (paper §6.3). Each reads from RegionMeasurements, so asking twice costs nothing.
  *
  * End height. The paper compares the highest, central and lowest points of region and object. We look at the end of the
- * region that is nearer to the object's own end: a region nearer to the ground is judged by its lowest point, one nearer to
- * the top by its highest point, both as fractions of the object's height. A leg that almost reaches the top of a table is
- * down (0), its top is up (1), a seat lies in between; a side wall from floor to top stands on the ground, so it is down. */
+ * region that is nearer to the object's own end: a region nearer to the ground is judged by its lowest point, one
+ * nearer to the top by its highest point, both as fractions of the object's height. A leg that almost reaches the top
+ * of a table is down (0), its top is up (1), a seat lies in between; a side wall from floor to top stands on the
+ * ground, so it is down. */
 
 #include "algorithms/measures.h"
 
@@ -32,9 +33,10 @@ const std::array<Measure, 11> measures = {{
      [](const Object&, const RegionMeasurements& r) { return ratio(r.lengths[1], r.lengths[2]); }},
     {"l0/l2", "1", "longest over shortest length of the smallest oriented box", false,
      [](const Object&, const RegionMeasurements& r) { return ratio(r.lengths[0], r.lengths[2]); }},
-    {"inclination", "degrees", "angle of a stick's axis, or of the largest side of anything else, to the horizontal", false,
-     [](const Object&, const RegionMeasurements& r) { return r.inclination; }},
-    {"end height", "1", "height of the end that is nearest to the object's own end, 0 ground to 1 top", false, end_height},
+    {"inclination", "degrees", "angle of a stick's axis, or of the largest side of anything else, to the horizontal",
+     false, [](const Object&, const RegionMeasurements& r) { return r.inclination; }},
+    {"end height", "1", "height of the end that is nearest to the object's own end, 0 ground to 1 top", false,
+     end_height},
     {"relative height", "1", "height of the middle of the region, 0 ground to 1 top of the object", false,
      [](const Object& o, const RegionMeasurements& r) { return ((r.low + r.high) / 2 - o.low) / (o.high - o.low); }},
     {"top height", "m", "height of the region's highest point above the object's lowest", true,

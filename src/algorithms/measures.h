@@ -11,7 +11,7 @@ namespace partonomy {
 /// A measurement that core:measure may name.
 struct Measure {
     const char* name;
-    const char* unit;         ///< "1", "degrees", "m", "m2"
+    const char* unit;  ///< "1", "degrees", "m", "m2"
     const char* description;
     bool needs_metres;
     double (*value)(const Object&, const RegionMeasurements&);  ///< lengths in metres when needs_metres

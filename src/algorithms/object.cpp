@@ -1,13 +1,13 @@
 /* What the questions of paper §6.3 stand on.
  *
- * Inclination. Of a stick, the angle between its long axis and the horizontal plane; of anything else, the angle between
- * its largest side and the horizontal plane, which the shortest axis is the normal of. So 0 is horizontal and 90 vertical
- * for both. A block whose lengths are nearly equal has no largest side: of its nearly equal sides the most horizontal one
- * is taken, so that noise does not turn it over.
+ * Inclination. Of a stick, the angle between its long axis and the horizontal plane; of anything else, the angle
+ * between its largest side and the horizontal plane, which the shortest axis is the normal of. So 0 is horizontal and
+ * 90 vertical for both. A block whose lengths are nearly equal has no largest side: of its nearly equal sides the most
+ * horizontal one is taken, so that noise does not turn it over.
  *
  * Extent along up. The triangles that reach furthest are left out up to a two-hundredth of the region's area at either
- * end, so that a sliver that strayed across a border does not change "reaches the ground" into its opposite. On a coarse mesh
- * no triangle is that small, and nothing is left out. */
+ * end, so that a sliver that strayed across a border does not change "reaches the ground" into its opposite. On a
+ * coarse mesh no triangle is that small, and nothing is left out. */
 
 #include "algorithms/object.h"
 
@@ -54,9 +54,9 @@ double trimmed_end(std::vector<std::pair<double, double>>& ends, double spare) {
 
 Vec3 parse_up(const std::string& word) {
     static const std::map<std::string, Vec3> words = {
-        {"x", Vec3::UnitX()},   {"+x", Vec3::UnitX()},   {"-x", -Vec3::UnitX()},
-        {"y", Vec3::UnitY()},   {"+y", Vec3::UnitY()},   {"-y", -Vec3::UnitY()},
-        {"z", Vec3::UnitZ()},   {"+z", Vec3::UnitZ()},   {"-z", -Vec3::UnitZ()}};
+        {"x", Vec3::UnitX()}, {"+x", Vec3::UnitX()}, {"-x", -Vec3::UnitX()},
+        {"y", Vec3::UnitY()}, {"+y", Vec3::UnitY()}, {"-y", -Vec3::UnitY()},
+        {"z", Vec3::UnitZ()}, {"+z", Vec3::UnitZ()}, {"-z", -Vec3::UnitZ()}};
     const auto found = words.find(word);
     if (found == words.end()) throw UsageError("--up " + word + ": unknown axis, use x, -x, y, -y, z or -z");
     return found->second;

@@ -34,10 +34,10 @@ struct Object {
 
 /// What is measured on one region, once; all questions read from it.
 struct RegionMeasurements {
-    Vec3 lengths;             ///< l0 >= l1 >= l2 of the box, in file units
-    double inclination = 0;   ///< degrees in [0, 90], see docs/elementary-algorithms.md
-    double low = 0, high = 0; ///< extent along up, in file units; a stray hundredth of the area does not count
-    double area = 0;          ///< squared file units
+    Vec3 lengths;              ///< l0 >= l1 >= l2 of the box, in file units
+    double inclination = 0;    ///< degrees in [0, 90], see docs/elementary-algorithms.md
+    double low = 0, high = 0;  ///< extent along up, in file units; a stray hundredth of the area does not count
+    double area = 0;           ///< squared file units
 };
 
 [[nodiscard]] RegionMeasurements measure_region(const Object& object, const PartRegion& part);

@@ -1,9 +1,9 @@
 /* From questions to an annotation: asks by one of the strategies, then decides what every part is called.
  *
- * A part is called by the most specific concept that is entailed for it. Where a question that would decide cannot be answered
- * (no unit, no algorithm), several names stay possible: then the part gets the name that holds in most of the configurations
- * that are left, its score is that fraction of the shape's, and the annotation lists the assumption among its open questions.
- * A part for which nothing can hold stays unnamed.
+ * A part is called by the most specific concept that is entailed for it. Where a question that would decide cannot be
+ * answered (no unit, no algorithm), several names stay possible: then the part gets the name that holds in most of the
+ * configurations that are left, its score is that fraction of the shape's, and the annotation lists the assumption
+ * among its open questions. A part for which nothing can hold stays unnamed.
  *
  * Score of a part: mean fitting score of its triangles times the `is a` score of its shape (paper §6.4). Score of the
  * object: mean of its parts' scores by area. */
@@ -106,14 +106,17 @@ void label_faces(const Object& object, Annotation& annotation) {
     annotation.labels.assign(faces, "-");
     annotation.part_of_face.assign(faces, 0);
     annotation.score_of_face.assign(faces, 0);
-    std::map<std::pair<std::int32_t, int>, double> shares;  // (input face, part index) -> area; only where a face was cut up
+    std::map<std::pair<std::int32_t, int>, double>
+        shares;  // (input face, part index) -> area; only where a face was cut up
     std::vector<int> first(faces, -2);
     std::vector<bool> is_mixed(faces, false);
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         const auto face = static_cast<std::size_t>(mesh.input_faces[t]);
         const int part = annotation.part_of_triangle[t];
-        if (first[face] == -2) first[face] = part;
-        else if (first[face] != part) is_mixed[face] = true;
+        if (first[face] == -2)
+            first[face] = part;
+        else if (first[face] != part)
+            is_mixed[face] = true;
     }
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
         if (is_mixed[static_cast<std::size_t>(mesh.input_faces[t])])
@@ -140,8 +143,8 @@ std::vector<std::string> open_questions(const Session& session, const std::vecto
     for (int region = 0; region < session.region_count(); ++region) {
         const Naming& naming = namings[static_cast<std::size_t>(region)];
         if (naming.certainty < 1)
-            open.push_back(fmt::format("part {} is assumed to be a {}: what would decide it cannot be asked{}", region + 1,
-                                       owl::local_name(naming.concepts.front()),
+            open.push_back(fmt::format("part {} is assumed to be a {}: what would decide it cannot be asked{}",
+                                       region + 1, owl::local_name(naming.concepts.front()),
                                        session.object().placement.metres_per_unit ? "" : " while the unit is unknown"));
         else if (session.possible(region).is_empty())
             open.push_back(fmt::format("part {}: its answers contradict the axioms", region + 1));
@@ -160,7 +163,9 @@ ConfigurationSet object_with_assumptions(const Session& session, const Conclusio
     std::vector<ConfigurationSet> regions = known.regions;
     for (std::size_t r = 0; r < regions.size(); ++r)
         if (namings[r].certainty < 1)
-            regions[r] &= domain.regions.concepts[static_cast<std::size_t>(*domain.regions.find(namings[r].concepts.front()))].where;
+            regions[r] &=
+                domain.regions.concepts[static_cast<std::size_t>(*domain.regions.find(namings[r].concepts.front()))]
+                    .where;
     return conclude_object(domain, regions, session.knowledge().complete);
 }
 
@@ -184,9 +189,15 @@ Annotation annotate(const Domain& domain, const Catalogue& catalogue, const Obje
     const auto start = std::chrono::steady_clock::now();
     Session session(domain, catalogue, object, options.threads);
     switch (options.strategy) {
-        case Strategy::expert: run_expert(session, options.criterion); break;
-        case Strategy::naive: run_naive(session); break;
-        case Strategy::segment_then_identify: run_segment_then_identify(session); break;
+        case Strategy::expert:
+            run_expert(session, options.criterion);
+            break;
+        case Strategy::naive:
+            run_naive(session);
+            break;
+        case Strategy::segment_then_identify:
+            run_segment_then_identify(session);
+            break;
     }
 
     const Conclusions known = conclude(domain, session.knowledge());
@@ -218,7 +229,8 @@ Annotation annotate(const Domain& domain, const Catalogue& catalogue, const Obje
     annotation.consistent = annotation.diagnosis.empty();
     annotation.open_questions = open_questions(session, namings);
     if (!session.trace.empty() && !annotation.classes.empty())
-        session.trace.back().inferred.push_back("the object is " + fmt::format("{}", fmt::join(annotation.classes, ", ")));
+        session.trace.back().inferred.push_back("the object is " +
+                                                fmt::format("{}", fmt::join(annotation.classes, ", ")));
     annotation.questions = {{"SF", session.find_all_count}, {"SI", session.is_a_count}, {"T", 0}, {"TF", 0}};
     annotation.trace = std::move(session.trace);
     for (const auto& [stage, ms] : session.times) annotation.timings_ms.emplace_back("find parts: " + stage, ms);

@@ -34,34 +34,34 @@ struct TraceEntry {
 
 /// Why the object is incompatible, and the cheapest way out.
 struct Diagnosis {
-    std::string concept_name;               ///< local name of the incompatible concept, or "contradiction"
-    std::vector<int> parts;                 ///< ids to blame
-    std::vector<std::string> answers;       ///< of the minimal explanation, in words
-    std::vector<std::string> axioms;        ///< of the minimal explanation: Manchester syntax, file and line
-    std::vector<std::string> corrections;   ///< in words, cheapest first
+    std::string concept_name;              ///< local name of the incompatible concept, or "contradiction"
+    std::vector<int> parts;                ///< ids to blame
+    std::vector<std::string> answers;      ///< of the minimal explanation, in words
+    std::vector<std::string> axioms;       ///< of the minimal explanation: Manchester syntax, file and line
+    std::vector<std::string> corrections;  ///< in words, cheapest first
 };
 
 /// All that is known about one object at the end; every output file is written from this one value.
 struct Annotation {
     std::string mesh_file, mesh_sha256;
-    std::int64_t mesh_faces = 0;             ///< input faces
-    std::vector<std::string> mesh_notes;     ///< what cleaning found
+    std::int64_t mesh_faces = 0;          ///< input faces
+    std::vector<std::string> mesh_notes;  ///< what cleaning found
     std::string ontology_iri, ontology_file, ontology_sha256;
-    std::string up, unit;                    ///< as used: "z", "m"; unit "unknown" when not known
+    std::string up, unit;  ///< as used: "z", "m"; unit "unknown" when not known
     std::string strategy;
-    std::vector<std::string> classes;        ///< most specific object classes, incompatible ones included
-    std::vector<std::string> all_classes;    ///< every class that holds
+    std::vector<std::string> classes;      ///< most specific object classes, incompatible ones included
+    std::vector<std::string> all_classes;  ///< every class that holds
     bool consistent = true;
     double score = 0;
     std::vector<AnnotatedPart> parts;
     std::vector<std::int32_t> part_of_triangle;  ///< #T index into `parts`, or -1
-    std::vector<std::string> labels;         ///< one per input face: concept, or "-"
-    std::vector<int> part_of_face;           ///< one per input face: part id, 0 for none
-    std::vector<float> score_of_face;        ///< one per input face
-    std::map<std::string, int> questions;    ///< "SF", "SI", "T", "TF" -> algorithms run
+    std::vector<std::string> labels;             ///< one per input face: concept, or "-"
+    std::vector<int> part_of_face;               ///< one per input face: part id, 0 for none
+    std::vector<float> score_of_face;            ///< one per input face
+    std::map<std::string, int> questions;        ///< "SF", "SI", "T", "TF" -> algorithms run
     std::vector<TraceEntry> trace;
     std::vector<Diagnosis> diagnosis;
-    std::vector<std::string> open_questions; ///< what stayed unanswered, and why
+    std::vector<std::string> open_questions;  ///< what stayed unanswered, and why
     std::vector<std::pair<std::string, double>> timings_ms;
 };
 

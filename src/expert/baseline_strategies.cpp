@@ -1,7 +1,7 @@
-/* The two strategies that the paper compares its expert system with (§5.2.3, Table 3). Both ask, of every region, one `is a`
- * for each elementary concept but the last of its range, which is deduced; of those asked the best score is believed. They
- * differ in where regions come from: `naive` runs the `find all` of every shape, so shapes need no `is a`;
- * `segment then identify` takes the regions of a segmentation and asks for the shapes too. */
+/* The two strategies that the paper compares its expert system with (§5.2.3, Table 3). Both ask, of every region, one
+ * `is a` for each elementary concept but the last of its range, which is deduced; of those asked the best score is
+ * believed. They differ in where regions come from: `naive` runs the `find all` of every shape, so shapes need no `is
+ * a`; `segment then identify` takes the regions of a segmentation and asks for the shapes too. */
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
-/* Diagnoses (paper §3.2.4, §5.1.2, Fig. 14): for each incompatible concept that is entailed, who is to blame, a minimal set of
- * answers and axioms that entail it, and the single answers whose change would mend it, the least certain ones first. The
- * cost of turning an answer round is its distance from the boundary: an answer with score 0.5 costs nothing, one with 1
- * costs 0.5. */
+/* Diagnoses (paper §3.2.4, §5.1.2, Fig. 14): for each incompatible concept that is entailed, who is to blame, a minimal
+ * set of answers and axioms that entail it, and the single answers whose change would mend it, the least certain ones
+ * first. The cost of turning an answer round is its distance from the boundary: an answer with score 0.5 costs nothing,
+ * one with 1 costs 0.5. */
 
 #include <fmt/format.h>
 
@@ -72,7 +72,8 @@ std::vector<Diagnosis> diagnose(const Session& session, const Conclusions& known
             diagnosis.parts = {region + 1};
             for (std::size_t i = 0; i < knowledge.answers.size(); ++i)
                 if (knowledge.answers[i].region == region)
-                    diagnosis.answers.push_back(answer_in_words(session, knowledge.answers[i], session.answer_scores()[i]));
+                    diagnosis.answers.push_back(
+                        answer_in_words(session, knowledge.answers[i], session.answer_scores()[i]));
             diagnoses.push_back(std::move(diagnosis));
         }
     return diagnoses;

@@ -1,14 +1,15 @@
 /* The expert system of paper §3.3.2: walk the decision tree online, ask only what can still change something.
  *
- * 1. Cut. While a part of the mesh is uncut, the tree's next `find all` question is asked of it. When the remaining values of
- *    the range can no longer be told apart by a `find all` (only Cube is left), the pieces of the rest are regions with that
- *    value inferred.
+ * 1. Cut. While a part of the mesh is uncut, the tree's next `find all` question is asked of it. When the remaining
+ * values of the range can no longer be told apart by a `find all` (only Cube is left), the pieces of the rest are
+ * regions with that value inferred.
  * 2. Name. Each region walks the tree by `is a` questions until every concept that the expert defined is decided.
- * 3. Recognise. What the names leave open about the object (is its seat elongated?) is asked of the regions that decide it,
- *    the question about the object first, then the cheapest question about a region that answers it.
+ * 3. Recognise. What the names leave open about the object (is its seat elongated?) is asked of the regions that decide
+ * it, the question about the object first, then the cheapest question about a region that answers it.
  *
- * The tree is never built here: a node is the set of configurations that are still possible, and its question is chosen when
- * the walk gets there, which gives the same walk as the saved tree (tested). Cost: a few microseconds a question. */
+ * The tree is never built here: a node is the set of configurations that are still possible, and its question is chosen
+ * when the walk gets there, which gives the same walk as the saved tree (tested). Cost: a few microseconds a question.
+ */
 
 #include <algorithm>
 #include <cmath>
@@ -48,9 +49,9 @@ std::optional<Question> question_about(const Session& session, const Configurati
             const auto y = static_cast<double>(yes.count()), n = all - y;
             if (y == 0 || n == 0) continue;
             const double left = (y * entropy(static_cast<double>(yes.count_common(condition)), y) +
-                                 n * entropy(static_cast<double>(no.count_common(condition)), n)) / all;
-            const double gain =
-                (entropy(static_cast<double>(set.count_common(condition)), all) - left) / *cost;
+                                 n * entropy(static_cast<double>(no.count_common(condition)), n)) /
+                                all;
+            const double gain = (entropy(static_cast<double>(set.count_common(condition)), all) - left) / *cost;
             if (gain > best_gain) {
                 best_gain = gain;
                 best = question;

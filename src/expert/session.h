@@ -10,8 +10,8 @@
 
 namespace partonomy {
 
-/// One object under questioning: the regions cut so far, what was answered, and what follows from it. A strategy decides what
-/// to ask; the session runs the algorithm, counts it, learns the answer, and writes the trace.
+/// One object under questioning: the regions cut so far, what was answered, and what follows from it. A strategy
+/// decides what to ask; the session runs the algorithm, counts it, learns the answer, and writes the trace.
 class Session {
 public:
     /// All four must outlive the session.

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "expert/annotation.h"
 #include "mesh/triangle_mesh.h"
-#include "report/annotation.h"
 #include "report/picture_rays.h"
 
 namespace partonomy {

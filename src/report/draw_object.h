@@ -1,7 +1,7 @@
 #pragma once
 
+#include "expert/annotation.h"
 #include "mesh/triangle_mesh.h"
-#include "report/annotation.h"
 #include "report/canvas.h"
 #include "report/choose_view.h"
 

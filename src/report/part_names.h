@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include "expert/annotation.h"
 #include "mesh/triangle_mesh.h"
-#include "report/annotation.h"
 
 namespace partonomy {
 

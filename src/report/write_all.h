@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "expert/annotation.h"
 #include "mesh/triangle_mesh.h"
-#include "report/annotation.h"
 
 namespace partonomy {
 

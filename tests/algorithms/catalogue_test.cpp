@@ -44,9 +44,12 @@ TEST(Catalogue, TwelveConceptsOfThePaper) {
     int find_all = 0, concepts = 0, numbers = 0;
     for (const ElementaryAlgorithm& algorithm : catalogue.algorithms) {
         const auto& variable = furniture().regions.variables[static_cast<std::size_t>(algorithm.question.variable)];
-        if (algorithm.signature == Signature::find_all) ++find_all;
-        else if (variable.kind == knowledge::VariableKind::range) ++concepts;
-        else ++numbers;
+        if (algorithm.signature == Signature::find_all)
+            ++find_all;
+        else if (variable.kind == knowledge::VariableKind::range)
+            ++concepts;
+        else
+            ++numbers;
         EXPECT_GT(algorithm.cost, 0);
     }
     EXPECT_EQ(find_all, 3);
@@ -70,7 +73,8 @@ TEST(Catalogue, ShapesCoverAllBoxes) {
             int likely = 0;
             for (const char* shape : {"Board", "Stick", "Cube"}) likely += score("Shape", shape, region) > 0.5;
             EXPECT_LE(likely, 1) << r0 << " " << r1;
-            EXPECT_GE(score("Shape", "Board", region) + score("Shape", "Stick", region) + score("Shape", "Cube", region), 0.5)
+            EXPECT_GE(
+                score("Shape", "Board", region) + score("Shape", "Stick", region) + score("Shape", "Cube", region), 0.5)
                 << r0 << " " << r1;
         }
 }
@@ -87,10 +91,15 @@ TEST(Catalogue, UnknownMeasureNamesTheNearestOne) {
     std::string text = owl::core_ontology_text();
     const std::string right = "core:measure \"inclination\"";
     text.replace(text.find(right), right.size(), "core:measure \"inclinatoin\"");
-    text = "@prefix : <http://example.org/#> .\n<http://example.org/> a owl:Ontology .\n:Thing2 a owl:Class ; rdfs:subClassOf core:Object ; "
-           "owl:equivalentClass [ a owl:Restriction ; owl:onProperty core:hasPart ; owl:someValuesFrom core:Region ] .\n" + text;
-    text = "@prefix core: <https://w3id.org/partonomy/core#> .\n@prefix owl: <http://www.w3.org/2002/07/owl#> .\n"
-           "@prefix rdfs: <http://www.w3.org/2000/01/rdf-schema#> .\n" + text;
+    text =
+        "@prefix : <http://example.org/#> .\n<http://example.org/> a owl:Ontology .\n:Thing2 a owl:Class ; "
+        "rdfs:subClassOf core:Object ; "
+        "owl:equivalentClass [ a owl:Restriction ; owl:onProperty core:hasPart ; owl:someValuesFrom core:Region ] .\n" +
+        text;
+    text =
+        "@prefix core: <https://w3id.org/partonomy/core#> .\n@prefix owl: <http://www.w3.org/2002/07/owl#> .\n"
+        "@prefix rdfs: <http://www.w3.org/2000/01/rdf-schema#> .\n" +
+        text;
     const knowledge::Domain domain = knowledge::compile(owl::parse_ontology(text, "typo.ttl"));
     try {
         static_cast<void>(make_catalogue(domain));

@@ -82,10 +82,10 @@ TEST(Measures, FlatBoxIsInfinitelyFlat) {
 
 TEST(Measures, EndHeightLooksAtTheNearerEnd) {
     const Object object = tall_object();
-    EXPECT_DOUBLE_EQ(value("end height", object, region_between(1, 2.9)), 0);       // a leg that almost reaches the top
-    EXPECT_DOUBLE_EQ(value("end height", object, region_between(2.9, 3)), 1);       // a tabletop
-    EXPECT_DOUBLE_EQ(value("end height", object, region_between(1.6, 1.8)), 0.3);   // a seat
-    EXPECT_DOUBLE_EQ(value("end height", object, region_between(1, 3)), 0);         // a side wall stands on the ground
+    EXPECT_DOUBLE_EQ(value("end height", object, region_between(1, 2.9)), 0);      // a leg that almost reaches the top
+    EXPECT_DOUBLE_EQ(value("end height", object, region_between(2.9, 3)), 1);      // a tabletop
+    EXPECT_DOUBLE_EQ(value("end height", object, region_between(1.6, 1.8)), 0.3);  // a seat
+    EXPECT_DOUBLE_EQ(value("end height", object, region_between(1, 3)), 0);        // a side wall stands on the ground
     EXPECT_DOUBLE_EQ(value("end height", object, region_between(1.75, 2.75)), 0.875);
 }
 
@@ -94,7 +94,8 @@ TEST(Measures, MetresNeedAUnit) {
     EXPECT_DOUBLE_EQ(value("top height", tall_object(0.01), region), 0.01);
     EXPECT_DOUBLE_EQ(value("area", tall_object(0.01), region), 3e-4);
     for (const Measure& measure : all_measures())
-        EXPECT_EQ(evaluate(measure, tall_object(std::nullopt), region).has_value(), !measure.needs_metres) << measure.name;
+        EXPECT_EQ(evaluate(measure, tall_object(std::nullopt), region).has_value(), !measure.needs_metres)
+            << measure.name;
 }
 
 TEST(Measures, InclinationOfBoardStickAndBlock) {
@@ -105,7 +106,8 @@ TEST(Measures, InclinationOfBoardStickAndBlock) {
         const Box stick = box(Vec3(4, 0.3, 0.2), tilted(tilt));
         EXPECT_NEAR(measure_region(stick.object, stick.part).inclination, tilt, 1e-9);
     }
-    const Box cube = box(Vec3(1.02, 1.01, 1), tilted(90));  // its shortest axis lies, yet it is as horizontal as any cube
+    const Box cube =
+        box(Vec3(1.02, 1.01, 1), tilted(90));  // its shortest axis lies, yet it is as horizontal as any cube
     EXPECT_NEAR(measure_region(cube.object, cube.part).inclination, 0, 1e-6);
 }
 

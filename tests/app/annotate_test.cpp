@@ -32,11 +32,13 @@ std::vector<std::string> lines_of(const std::string& text) {
 TEST(Annotate, BenchEndToEnd) {
     const TemporaryFolder folder;
     folder.write("bench.off", to_off(object("bench").mesh));
-    const ProgramResult result = run_partonomy({"annotate", "bench.off", "--ontology", furniture_path(), "-o", "out"}, folder.path());
+    const ProgramResult result =
+        run_partonomy({"annotate", "bench.off", "--ontology", furniture_path(), "-o", "out"}, folder.path());
     ASSERT_EQ(result.exit_code, 0) << result.err;
     EXPECT_EQ(result.err, "");
     EXPECT_NE(result.out.find("Bench"), std::string::npos) << result.out;
-    for (const char* name : {"labels.txt", "annotation.json", "annotation.ply", "annotation.glb", "preview.png", "trace.txt"})
+    for (const char* name :
+         {"labels.txt", "annotation.json", "annotation.ply", "annotation.glb", "preview.png", "trace.txt"})
         EXPECT_GT(fs::file_size(folder.path() / "out/bench" / name), 20U) << name;
 
     const std::vector<std::string> labels = lines_of(read_file(folder.path() / "out/bench/labels.txt"));
@@ -62,7 +64,8 @@ TEST(Annotate, BenchEndToEnd) {
     for (const char* key : {"SF", "SI", "T", "TF"}) EXPECT_TRUE(annotation.at("questions").contains(key)) << key;
     ASSERT_FALSE(annotation.at("trace").empty());
     for (const json& entry : annotation.at("trace"))
-        for (const char* key : {"question", "region", "answer", "score", "inferred", "ms"}) EXPECT_TRUE(entry.contains(key)) << key;
+        for (const char* key : {"question", "region", "answer", "score", "inferred", "ms"})
+            EXPECT_TRUE(entry.contains(key)) << key;
     EXPECT_TRUE(annotation.at("diagnosis").empty());
     EXPECT_FALSE(annotation.at("timings_ms").empty());
 }
@@ -70,8 +73,8 @@ TEST(Annotate, BenchEndToEnd) {
 TEST(Annotate, ImpossibleObjectIsExplained) {
     const TemporaryFolder folder;
     folder.write("strange.off", to_off(object("strange-object2").mesh));
-    const ProgramResult result =
-        run_partonomy({"annotate", "strange.off", "--ontology", furniture_path(), "-o", "out", "--quiet"}, folder.path());
+    const ProgramResult result = run_partonomy(
+        {"annotate", "strange.off", "--ontology", furniture_path(), "-o", "out", "--quiet"}, folder.path());
     EXPECT_EQ(result.exit_code, 2) << result.err;
     EXPECT_EQ(result.out + result.err, "");
     const json annotation = json::parse(read_file(folder.path() / "out/strange/annotation.json"));
@@ -98,8 +101,11 @@ TEST(Annotate, SameBytesOnAnyNumberOfThreads) {
     const TemporaryFolder folder;
     folder.write("chair2.off", to_off(object("chair2").mesh));
     for (const char* threads : {"1", "2", "0"}) {
-        ASSERT_EQ(run_partonomy({"annotate", "chair2.off", "--ontology", furniture_path(), "-o", std::string("out") + threads,
-                                 "--threads", threads}, folder.path()).exit_code, 0);
+        ASSERT_EQ(run_partonomy({"annotate", "chair2.off", "--ontology", furniture_path(), "-o",
+                                 std::string("out") + threads, "--threads", threads},
+                                folder.path())
+                      .exit_code,
+                  0);
         for (const char* name : {"labels.txt", "annotation.ply", "annotation.glb", "preview.png"})
             EXPECT_EQ(sha256(read_file(folder.path() / (std::string("out") + threads) / "chair2" / name)),
                       sha256(read_file(folder.path() / "out1/chair2" / name)))
@@ -110,8 +116,11 @@ TEST(Annotate, SameBytesOnAnyNumberOfThreads) {
 TEST(Annotate, OnlyTheFormatsAskedFor) {
     const TemporaryFolder folder;
     folder.write("bench.off", to_off(object("bench").mesh));
-    ASSERT_EQ(run_partonomy({"annotate", "bench.off", "--ontology", furniture_path(), "-o", "out", "--format", "labels,json"},
-                            folder.path()).exit_code, 0);
+    ASSERT_EQ(
+        run_partonomy({"annotate", "bench.off", "--ontology", furniture_path(), "-o", "out", "--format", "labels,json"},
+                      folder.path())
+            .exit_code,
+        0);
     EXPECT_TRUE(fs::exists(folder.path() / "out/bench/labels.txt"));
     EXPECT_TRUE(fs::exists(folder.path() / "out/bench/annotation.json"));
     EXPECT_FALSE(fs::exists(folder.path() / "out/bench/preview.png"));
@@ -121,7 +130,9 @@ TEST(Annotate, UnknownUnitLeavesSizesOpen) {
     const TemporaryFolder folder;
     folder.write("bench.off", to_off(object("bench").mesh));
     ASSERT_NE(run_partonomy({"annotate", "bench.off", "--ontology", furniture_path(), "-o", "out", "--unit", "auto"},
-                            folder.path()).exit_code, 1);
+                            folder.path())
+                  .exit_code,
+              1);
     const json annotation = json::parse(read_file(folder.path() / "out/bench/annotation.json"));
     for (const json& part : annotation.at("parts")) EXPECT_FALSE(part.at("features").contains("Modular"));
     EXPECT_EQ(lines_of(read_file(folder.path() / "out/bench/labels.txt")), object("bench").labels);

@@ -24,11 +24,13 @@ void expect_one_sentence(const ProgramResult& result, const std::vector<std::str
     EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
     EXPECT_TRUE(result.err.starts_with("partonomy: ")) << result.err;
     EXPECT_EQ(result.err.find("internal error"), std::string::npos) << result.err;
-    for (const std::string& text : mentions) EXPECT_NE(result.err.find(text), std::string::npos) << text << "\nnot in\n" << result.err;
+    for (const std::string& text : mentions)
+        EXPECT_NE(result.err.find(text), std::string::npos) << text << "\nnot in\n" << result.err;
 }
 
 TEST(BadMesh, OneSentenceAndNoOutput) {
-    const std::string binary_stl_truncated = std::string(80, ' ') + std::string("\x0a\0\0\0", 4) + std::string(60, '\0');
+    const std::string binary_stl_truncated =
+        std::string(80, ' ') + std::string("\x0a\0\0\0", 4) + std::string(60, '\0');
     const std::vector<Case> cases = {
         {"empty", "m.off", "", {"m.off", "empty"}},
         {"wrong format", "m.off", "hello, this is no mesh\n", {"m.off"}},
@@ -47,12 +49,18 @@ TEST(BadMesh, OneSentenceAndNoOutput) {
         {"ascii stl", "m.stl", "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0\n", {"m.stl"}},
         {"binary stl", "m.stl", binary_stl_truncated, {"m.stl"}},
         {"ply without end_header", "m.ply", "ply\nformat ascii 1.0\nelement vertex 3\n", {"m.ply"}},
-        {"ply truncated", "m.ply",
-         "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
-         "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n", {"m.ply"}},
-        {"ply binary truncated", "m.ply",
-         "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
-         "element face 1\nproperty list uchar int vertex_indices\nend_header\nabcdefgh", {"m.ply"}},
+        {"ply truncated",
+         "m.ply",
+         "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face "
+         "1\n"
+         "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n",
+         {"m.ply"}},
+        {"ply binary truncated",
+         "m.ply",
+         "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float "
+         "z\n"
+         "element face 1\nproperty list uchar int vertex_indices\nend_header\nabcdefgh",
+         {"m.ply"}},
     };
     for (const Case& bad : cases) {
         SCOPED_TRACE(bad.name);
@@ -87,7 +95,8 @@ TEST(BadOntology, OneSentenceWithFileAndLine) {
     const std::string prefixes =
         "@prefix : <http://example.org/d#> .\n@prefix owl: <http://www.w3.org/2002/07/owl#> .\n"
         "@prefix rdfs: <http://www.w3.org/2000/01/rdf-schema#> .\n@prefix core: <https://w3id.org/partonomy/core#> .\n";
-    const std::string importing = prefixes + "<http://example.org/d> a owl:Ontology ; owl:imports <https://w3id.org/partonomy/core> .\n";
+    const std::string importing =
+        prefixes + "<http://example.org/d> a owl:Ontology ; owl:imports <https://w3id.org/partonomy/core> .\n";
     const std::vector<Case> cases = {
         {"empty", "o.ttl", "", {"o.ttl"}},
         {"not an ontology", "o.ttl", "this is\nno ontology", {"o.ttl"}},
@@ -95,29 +104,40 @@ TEST(BadOntology, OneSentenceWithFileAndLine) {
         {"syntax error", "o.ttl", importing + ":Seat a owl:Class\n:Leg a owl:Class .\n", {"o.ttl:7"}},
         {"unclosed", "o.ttl", importing + ":Seat a owl:Class ; rdfs:label \"seat", {"o.ttl"}},
         {"unknown prefix", "o.ttl", importing + "nowhere:Seat a owl:Class .\n", {"o.ttl:6", "nowhere"}},
-        {"missing import", "o.ttl", prefixes + "<http://example.org/d> a owl:Ontology ;\n  owl:imports <http://example.org/other> .\n",
+        {"missing import",
+         "o.ttl",
+         prefixes + "<http://example.org/d> a owl:Ontology ;\n  owl:imports <http://example.org/other> .\n",
          {"o.ttl:6", "http://example.org/other"}},
-        {"cannot be grounded", "o.ttl",
-         importing + ":near a owl:ObjectProperty .\n:Seat a owl:Class ; rdfs:subClassOf core:Region ;\n"
-                     "  owl:equivalentClass [ a owl:Restriction ; owl:onProperty :near ; owl:someValuesFrom core:Region ] .\n",
+        {"cannot be grounded",
+         "o.ttl",
+         importing +
+             ":near a owl:ObjectProperty .\n:Seat a owl:Class ; rdfs:subClassOf core:Region ;\n"
+             "  owl:equivalentClass [ a owl:Restriction ; owl:onProperty :near ; owl:someValuesFrom core:Region ] .\n",
          {"o.ttl:8", "Seat", "near"}},
-        {"broken xml", "o.owl", "<?xml version=\"1.0\"?>\n<rdf:RDF xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\">\n<oops>\n", {"o.owl"}},
-        {"external entity", "o.owl",
+        {"broken xml",
+         "o.owl",
+         "<?xml version=\"1.0\"?>\n<rdf:RDF xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\">\n<oops>\n",
+         {"o.owl"}},
+        {"external entity",
+         "o.owl",
          "<?xml version=\"1.0\"?>\n<!DOCTYPE r [ <!ENTITY x SYSTEM \"file:///etc/passwd\"> ]>\n"
-         "<rdf:RDF xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\">&x;</rdf:RDF>\n", {"o.owl", "entit"}},
+         "<rdf:RDF xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\">&x;</rdf:RDF>\n",
+         {"o.owl", "entit"}},
     };
     for (const Case& bad : cases) {
         SCOPED_TRACE(bad.name);
         const TemporaryFolder folder;
         folder.write("m.off", triangle_off);
         folder.write(bad.file, bad.bytes);
-        const ProgramResult result = run_partonomy({"annotate", "m.off", "--ontology", bad.file, "-o", "out"}, folder.path());
+        const ProgramResult result =
+            run_partonomy({"annotate", "m.off", "--ontology", bad.file, "-o", "out"}, folder.path());
         expect_one_sentence(result, bad.mentions);
         EXPECT_FALSE(fs::exists(folder.path() / "out")) << "half-written output";
     }
     const TemporaryFolder folder;
     folder.write("m.off", triangle_off);
-    expect_one_sentence(run_partonomy({"annotate", "m.off", "--ontology", "nowhere.ttl"}, folder.path()), {"nowhere.ttl", "no such file"});
+    expect_one_sentence(run_partonomy({"annotate", "m.off", "--ontology", "nowhere.ttl"}, folder.path()),
+                        {"nowhere.ttl", "no such file"});
 }
 
 TEST(BadUsage, OneSentence) {
@@ -152,10 +172,12 @@ TEST(BadUsage, OneSentence) {
 TEST(BadMesh, OldOutputSurvives) {
     const TemporaryFolder folder;
     folder.write("m.off", triangle_off);
-    ASSERT_NE(run_partonomy({"annotate", "m.off", "--ontology", furniture_path(), "-o", "out"}, folder.path()).exit_code, 1);
+    ASSERT_NE(
+        run_partonomy({"annotate", "m.off", "--ontology", furniture_path(), "-o", "out"}, folder.path()).exit_code, 1);
     folder.write("out/m/notes.txt", "mine");
     folder.write("m.off", "OFF\n3 1 0\n0 0 0\n");
-    ASSERT_EQ(run_partonomy({"annotate", "m.off", "--ontology", furniture_path(), "-o", "out"}, folder.path()).exit_code, 1);
+    ASSERT_EQ(
+        run_partonomy({"annotate", "m.off", "--ontology", furniture_path(), "-o", "out"}, folder.path()).exit_code, 1);
     EXPECT_TRUE(fs::exists(folder.path() / "out/m/labels.txt"));
     EXPECT_TRUE(fs::exists(folder.path() / "out/m/notes.txt"));
 }

@@ -35,16 +35,17 @@ TEST(Check, FurnitureIsFine) {
 
 TEST(Check, NamesWhatIsWrong) {
     const TemporaryFolder folder;
-    folder.write("o.ttl",
-                 "@prefix : <http://example.org/d#> .\n@prefix owl: <http://www.w3.org/2002/07/owl#> .\n"
-                 "@prefix rdfs: <http://www.w3.org/2000/01/rdf-schema#> .\n@prefix core: <https://w3id.org/partonomy/core#> .\n"
-                 "<http://example.org/d> a owl:Ontology ; owl:imports <https://w3id.org/partonomy/core> .\n"
-                 ":Both a owl:Class ; rdfs:subClassOf core:Region ; owl:equivalentClass [ owl:intersectionOf ( core:Region\n"
-                 "  [ a owl:Restriction ; owl:onProperty core:hasShape ; owl:someValuesFrom core:Board ]\n"
-                 "  [ a owl:Restriction ; owl:onProperty core:hasShape ; owl:someValuesFrom core:Cube ] ) ] .\n"
-                 ":Leg a owl:Class ; rdfs:subClassOf core:Region .\n"
-                 ":Thing a owl:Class ; rdfs:subClassOf core:Object ; owl:equivalentClass\n"
-                 "  [ a owl:Restriction ; owl:onProperty core:hasPart ; owl:someValuesFrom :Leg ] .\n");
+    folder.write(
+        "o.ttl",
+        "@prefix : <http://example.org/d#> .\n@prefix owl: <http://www.w3.org/2002/07/owl#> .\n"
+        "@prefix rdfs: <http://www.w3.org/2000/01/rdf-schema#> .\n@prefix core: <https://w3id.org/partonomy/core#> .\n"
+        "<http://example.org/d> a owl:Ontology ; owl:imports <https://w3id.org/partonomy/core> .\n"
+        ":Both a owl:Class ; rdfs:subClassOf core:Region ; owl:equivalentClass [ owl:intersectionOf ( core:Region\n"
+        "  [ a owl:Restriction ; owl:onProperty core:hasShape ; owl:someValuesFrom core:Board ]\n"
+        "  [ a owl:Restriction ; owl:onProperty core:hasShape ; owl:someValuesFrom core:Cube ] ) ] .\n"
+        ":Leg a owl:Class ; rdfs:subClassOf core:Region .\n"
+        ":Thing a owl:Class ; rdfs:subClassOf core:Object ; owl:equivalentClass\n"
+        "  [ a owl:Restriction ; owl:onProperty core:hasPart ; owl:someValuesFrom :Leg ] .\n");
     const ProgramResult result = run_partonomy({"check", "o.ttl"}, folder.path());
     EXPECT_EQ(result.exit_code, 1);
     EXPECT_NE(result.out.find("nothing can ever be a Both"), std::string::npos) << result.out;
@@ -54,7 +55,9 @@ TEST(Check, NamesWhatIsWrong) {
 TEST(Tree, JsonAndDot) {
     const TemporaryFolder folder;
     for (const char* criterion : {"dichotomy", "gain-per-cost"}) {
-        ASSERT_EQ(run_partonomy({"tree", furniture_path(), "-o", "tree.json", "--criterion", criterion}, folder.path()).exit_code, 0);
+        ASSERT_EQ(run_partonomy({"tree", furniture_path(), "-o", "tree.json", "--criterion", criterion}, folder.path())
+                      .exit_code,
+                  0);
         const json tree = json::parse(read_file(folder.path() / "tree.json"));
         EXPECT_FALSE(tree.at("nodes").empty());
     }
@@ -73,7 +76,9 @@ TEST(Catalogue, ListsAlgorithmsAndMeasures) {
 TEST(Explain, OnePartOrAll) {
     const TemporaryFolder folder;
     folder.write("bench.off", to_off(paper_objects().front().mesh));
-    ASSERT_EQ(run_partonomy({"annotate", "bench.off", "--ontology", furniture_path(), "-o", "out"}, folder.path()).exit_code, 0);
+    ASSERT_EQ(
+        run_partonomy({"annotate", "bench.off", "--ontology", furniture_path(), "-o", "out"}, folder.path()).exit_code,
+        0);
     const ProgramResult all = run_partonomy({"explain", "out/bench"}, folder.path());
     EXPECT_EQ(all.exit_code, 0) << all.err;
     const ProgramResult one = run_partonomy({"explain", "out/bench", "--part", "1"}, folder.path());
@@ -96,7 +101,8 @@ TEST(Eval, AgainstTheTruthOfTheExamples) {
     }
     annotate.insert(annotate.end(), {"--ontology", furniture_path(), "-o", "out", "-q"});
     ASSERT_EQ(run_partonomy(annotate, folder.path()).exit_code, 2);  // strange-object2 is among them
-    const ProgramResult result = run_partonomy({"eval", "out", "--truth", "truth", "--names", "foot=Leg", "--json"}, folder.path());
+    const ProgramResult result =
+        run_partonomy({"eval", "out", "--truth", "truth", "--names", "foot=Leg", "--json"}, folder.path());
     ASSERT_EQ(result.exit_code, 0) << result.err;
     const json report = json::parse(result.out);
     EXPECT_EQ(report.at("meshes").size(), 7U);

@@ -26,8 +26,10 @@ TEST(Hierarchy, EqualsHermits) {
     if (!std::filesystem::exists(python)) GTEST_SKIP() << "no Python environment: run ./dev setup";
     const TemporaryFolder folder;
     const std::string answer = (folder.path() / "hermit.json").string();
-    const std::string command = python + " " PARTONOMY_SOURCE_DIR "/tests/owl/hermit_hierarchy.py " PARTONOMY_SOURCE_DIR
-                                         "/ontologies/core.ttl " + furniture_path() + " > " + answer + " 2> " + answer + ".err";
+    const std::string command = python +
+                                " " PARTONOMY_SOURCE_DIR "/tests/owl/hermit_hierarchy.py " PARTONOMY_SOURCE_DIR
+                                "/ontologies/core.ttl " +
+                                furniture_path() + " > " + answer + " 2> " + answer + ".err";
     ASSERT_EQ(std::system(command.c_str()), 0) << read_file(answer + ".err");
     const json hermit = json::parse(read_file(answer));
     EXPECT_EQ(hermit.at("consistent"), true);

@@ -14,7 +14,8 @@ namespace fs = std::filesystem;
 
 TemporaryFolder::TemporaryFolder() {
     static std::atomic<int> count = 0;
-    path_ = fs::temp_directory_path() / ("partonomy-test-" + std::to_string(::getpid()) + "-" + std::to_string(count++));
+    path_ =
+        fs::temp_directory_path() / ("partonomy-test-" + std::to_string(::getpid()) + "-" + std::to_string(count++));
     fs::create_directories(path_);
 }
 
@@ -36,7 +37,8 @@ ProgramResult run_partonomy(const std::vector<std::string>& arguments, const fs:
         std::vector<char*> argv = {const_cast<char*>(PARTONOMY_BINARY)};
         for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
         argv.push_back(nullptr);
-        const int out_file = ::open(out.c_str(), O_WRONLY | O_CREAT, 0600), err_file = ::open(err.c_str(), O_WRONLY | O_CREAT, 0600);
+        const int out_file = ::open(out.c_str(), O_WRONLY | O_CREAT, 0600),
+                  err_file = ::open(err.c_str(), O_WRONLY | O_CREAT, 0600);
         ::dup2(out_file, STDOUT_FILENO);
         ::dup2(err_file, STDERR_FILENO);
         if (::chdir(folder.c_str()) != 0) ::_exit(127);

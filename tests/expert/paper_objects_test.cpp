@@ -1,5 +1,5 @@
-/* The paper's seven objects: classes, names and numbers of questions (Table 3), and that none of it depends on where the mesh
- * stands or how its surface is cut into triangles. */
+/* The paper's seven objects: classes, names and numbers of questions (Table 3), and that none of it depends on where
+ * the mesh stands or how its surface is cut into triangles. */
 
 #include <gtest/gtest.h>
 
@@ -114,7 +114,8 @@ TEST_P(PaperObject, TraceTellsEveryQuestionAndScoresAreInRange) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Table1, PaperObject,
-                         testing::Values("bench", "bench2", "chair", "chair2", "couch", "curved-bench", "strange-object2"),
+                         testing::Values("bench", "bench2", "chair", "chair2", "couch", "curved-bench",
+                                         "strange-object2"),
                          [](const auto& name) {
                              std::string word = name.param;
                              std::erase(word, '-');

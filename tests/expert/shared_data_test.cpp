@@ -1,5 +1,5 @@
-/* Accuracy on test data beside the project; skipped when it is absent. The bars are those of the main job, the printed figures
- * are what was reached. */
+/* Accuracy on test data beside the project; skipped when it is absent. The bars are those of the main job, the printed
+ * figures are what was reached. */
 
 #include <gtest/gtest.h>
 
@@ -42,8 +42,10 @@ TEST_P(Fig16, FourRegionsWithTheRightShapesAndScores) {
     for (const AnnotatedPart& part : annotation.parts) {
         std::map<std::string, std::int64_t> counts;
         for (const int t : part.triangles)
-            ++counts[regions[static_cast<std::size_t>(truth[static_cast<std::size_t>(loaded.mesh.input_faces[static_cast<std::size_t>(t)])])]];
-        const auto best = std::max_element(counts.begin(), counts.end(), [](auto& a, auto& b) { return a.second < b.second; });
+            ++counts[regions[static_cast<std::size_t>(
+                truth[static_cast<std::size_t>(loaded.mesh.input_faces[static_cast<std::size_t>(t)])])]];
+        const auto best =
+            std::max_element(counts.begin(), counts.end(), [](auto& a, auto& b) { return a.second < b.second; });
         right += best->second;
         EXPECT_EQ(part.features.at("Shape"), shapes.at(best->first)) << best->first;
         EXPECT_GE(part.score, GetParam().scores.at(best->first)) << best->first;
@@ -55,16 +57,24 @@ TEST_P(Fig16, FourRegionsWithTheRightShapesAndScores) {
 
 INSTANTIATE_TEST_SUITE_P(
     Noise, Fig16,
-    testing::Values(NoiseLevel{"fig16_75k", 0.999, {{"cube", .999966}, {"vertical board", .99997}, {"stick", .999915}, {"horizontal board", .99996}}},
-                    NoiseLevel{"fig16_75k_n05", 0.99, {{"cube", .983023}, {"vertical board", .944411}, {"stick", .974192}, {"horizontal board", .95555}}},
-                    NoiseLevel{"fig16_75k_n10", 0.97, {{"cube", .939295}, {"vertical board", .86583}, {"stick", .926152}, {"horizontal board", .876332}}}),
+    testing::Values(
+        NoiseLevel{"fig16_75k",
+                   0.999,
+                   {{"cube", .999966}, {"vertical board", .99997}, {"stick", .999915}, {"horizontal board", .99996}}},
+        NoiseLevel{"fig16_75k_n05",
+                   0.99,
+                   {{"cube", .983023}, {"vertical board", .944411}, {"stick", .974192}, {"horizontal board", .95555}}},
+        NoiseLevel{"fig16_75k_n10",
+                   0.97,
+                   {{"cube", .939295}, {"vertical board", .86583}, {"stick", .926152}, {"horizontal board", .876332}}}),
     [](const auto& level) { return std::string(level.param.file); });
 
 std::map<std::string, std::string> up_axes() {
     std::ifstream file(data / "lpsb/up.csv");
     std::map<std::string, std::string> axes;
     for (std::string line; std::getline(file, line);)
-        if (const auto comma = line.find(','); comma != std::string::npos) axes[line.substr(0, comma)] = line.substr(comma + 1);
+        if (const auto comma = line.find(','); comma != std::string::npos)
+            axes[line.substr(0, comma)] = line.substr(comma + 1);
     return axes;
 }
 
@@ -74,8 +84,10 @@ TEST_P(Lpsb, MeanAreaAccuracy) {
     const auto [kind, bar] = GetParam();
     const fs::path folder = data / "lpsb" / kind;
     if (!fs::exists(folder)) GTEST_SKIP() << "../shared/data/lpsb is absent";
-    const std::map<std::string, std::string> names = {
-        {"support", std::string(kind) == "chair" ? "Seat" : "Tabletop"}, {"backsupport", "Backrest"}, {"arm", "BackPost"}, {"leg", "Leg"}};
+    const std::map<std::string, std::string> names = {{"support", std::string(kind) == "chair" ? "Seat" : "Tabletop"},
+                                                      {"backsupport", "Backrest"},
+                                                      {"arm", "BackPost"},
+                                                      {"leg", "Leg"}};
     double sum = 0;
     int count = 0;
     for (const auto& [mesh, up] : up_axes()) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "mesh/triangle_mesh.h"
-#include "report/annotation.h"
+#include "expert/annotation.h"
 
 namespace partonomy::zoo {
 

@@ -1,0 +1,58 @@
+/* The documents cannot rot: every command line in them is run, every file that they link to exists. */
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <regex>
+#include <sstream>
+
+#include "app/run_program.h"
+#include "base/files.h"
+
+namespace partonomy {
+namespace {
+
+namespace fs = std::filesystem;
+const fs::path project = PARTONOMY_SOURCE_DIR;
+
+std::vector<fs::path> documents() {
+    std::vector<fs::path> paths = {project / "README.md", project / "CONTRIBUTING.md", project / "CHANGELOG.md"};
+    for (const fs::directory_entry& entry : fs::directory_iterator(project / "docs"))
+        if (entry.path().extension() == ".md") paths.push_back(entry.path());
+    return paths;
+}
+
+TEST(Documents, CommandsOfTheReadmeRun) {
+    const TemporaryFolder folder;
+    fs::create_directory_symlink(fs::path(PARTONOMY_BINARY).parent_path(), folder.path() / "build");
+    fs::create_directory_symlink(project / "ontologies", folder.path() / "ontologies");
+    std::istringstream readme(read_file(project / "README.md"));
+    int commands = 0;
+    for (std::string line; std::getline(readme, line);) {
+        if (!line.starts_with("build/")) continue;
+        ++commands;
+        const std::string run = "cd " + folder.path().string() + " && " + line + " > log 2>&1";
+        EXPECT_EQ(std::system(run.c_str()), 0) << line << "\n" << read_file(folder.path() / "log");
+    }
+    EXPECT_GE(commands, 5);
+}
+
+TEST(Documents, LinkedFilesExist) {
+    const std::regex link(R"(\]\(([^)#:]+)[^)]*\))");
+    int links = 0;
+    for (const fs::path& document : documents()) {
+        const std::string text = read_file(document);
+        for (auto it = std::sregex_iterator(text.begin(), text.end(), link); it != std::sregex_iterator(); ++it, ++links)
+            EXPECT_TRUE(fs::exists(document.parent_path() / (*it)[1].str())) << document << " links to " << (*it)[1];
+    }
+    EXPECT_GE(links, 8);
+}
+
+TEST(Documents, ReadmeShowsTheTwoCommands) {
+    const std::string readme = read_file(project / "README.md");
+    EXPECT_NE(readme.find("./dev demo"), std::string::npos);
+    EXPECT_NE(readme.find("./dev test"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace partonomy
