@@ -127,6 +127,9 @@ void label_faces(const Object& object, Annotation& annotation) {
             largest[static_cast<std::size_t>(key.first)] = area;
             first[static_cast<std::size_t>(key.first)] = key.second;
         }
+    for (const auto& [face, earlier] : mesh.repeated_faces)
+        if (first[static_cast<std::size_t>(face)] == -2)
+            first[static_cast<std::size_t>(face)] = first[static_cast<std::size_t>(earlier)];
     for (std::size_t face = 0; face < faces; ++face) {
         if (first[face] < 0) continue;
         AnnotatedPart& part = annotation.parts[static_cast<std::size_t>(first[face])];

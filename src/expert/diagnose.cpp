@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "expert/annotate.h"
@@ -42,7 +44,15 @@ Diagnosis explain_concept(const Session& session, const knowledge::Knowledge& kn
     for (const int region : culprits(domain, knowledge, iri)) diagnosis.parts.push_back(region + 1);
     std::vector<double> costs;
     for (const double score : session.answer_scores()) costs.push_back(std::abs(score - 0.5));
-    for (const knowledge::Correction& correction : corrections(domain, knowledge, iri, costs)) {
+    std::vector<knowledge::Correction> ranked = corrections(domain, knowledge, iri, costs);
+    std::stable_sort(ranked.begin(), ranked.end(), [&](const auto& a, const auto& b) {
+        const auto key = [&](const knowledge::Correction& c) {
+            const int part = knowledge.answers[c.answer].region + 1;
+            return std::pair(c.cost, std::ranges::find(diagnosis.parts, part) == diagnosis.parts.end());
+        };
+        return key(a) < key(b);
+    });
+    for (const knowledge::Correction& correction : ranked) {
         const knowledge::Answer& answer = knowledge.answers[correction.answer];
         diagnosis.corrections.push_back(fmt::format("part {}: {}: {} instead of {} (cost {:.2f})", answer.region + 1,
                                                     to_text(domain.regions, answer.question, domain),

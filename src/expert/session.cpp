@@ -102,8 +102,8 @@ int Session::find_all(Question question) {
     entry.answer = fmt::format("{} region{}", found.size(), found.size() == 1 ? "" : "s");
     entry.score = found.empty() ? 1 : lowest;
     for (const int region : found) {
-        entry.inferred.push_back(fmt::format("{} is cut", region_name(region)));
-        for (std::string& text : consequences(region, domain_.regions.all())) entry.inferred.push_back(std::move(text));
+        for (std::string& text : consequences(region, domain_.regions.all(), question))
+            entry.inferred.push_back(std::move(text));
     }
     entry.ms = watch.ms();
     trace.push_back(std::move(entry));
@@ -118,7 +118,7 @@ void Session::adopt_rest() {
         const int region = add_region(std::move(candidate));
         for (std::size_t i = 0; i < ruled_out.size(); ++i) learn(region, ruled_out[i].question, false, scores[i]);
         if (!trace.empty())
-            for (std::string& text : consequences(region, domain_.regions.all()))
+            for (std::string& text : consequences(region, domain_.regions.all(), {}))
                 trace.back().inferred.push_back(std::move(text));
     }
 }
@@ -145,7 +145,7 @@ std::optional<bool> Session::ask(int region, Question question) {
     const bool yes = *score >= 0.5;
     const ConfigurationSet before = possible(region);
     learn(region, question, yes, yes ? *score : 1 - *score);
-    trace.back().inferred = consequences(region, before);
+    trace.back().inferred = consequences(region, before, question);
     return yes;
 }
 
@@ -163,7 +163,7 @@ void Session::learn(int region, Question question, bool yes, double score) {
     }
 }
 
-std::vector<std::string> Session::consequences(int region, const ConfigurationSet& before) const {
+std::vector<std::string> Session::consequences(int region, const ConfigurationSet& before, Question asked) const {
     std::vector<std::string> texts;
     const ConfigurationSet& now = possible(region);
     const Space& space = domain_.regions;
@@ -175,7 +175,8 @@ std::vector<std::string> Session::consequences(int region, const ConfigurationSe
     for (std::size_t v = 0; v < space.variables.size(); ++v) {
         if (space.variables[v].kind != knowledge::VariableKind::range) continue;
         for (std::size_t i = 0; i < space.holds[v].size(); ++i)
-            if (now.is_subset_of(space.holds[v][i]) && !before.is_subset_of(space.holds[v][i]))
+            if (Question{static_cast<int>(v), static_cast<int>(i)} != asked && now.is_subset_of(space.holds[v][i]) &&
+                !before.is_subset_of(space.holds[v][i]))
                 texts.push_back(fmt::format("{} is {}", region_name(region), space.variables[v].values[i]));
     }
     return texts;

@@ -73,7 +73,9 @@ private:
     static std::size_t index(int region) { return static_cast<std::size_t>(region); }
     void segment();
     int add_region(Candidate candidate);
-    std::vector<std::string> consequences(int region, const knowledge::ConfigurationSet& before) const;
+    /// What is known of a region now and was not in `before`, in words; not the answer to `asked` itself.
+    [[nodiscard]] std::vector<std::string> consequences(int region, const knowledge::ConfigurationSet& before,
+                                                        knowledge::Question asked) const;
 
     const knowledge::Domain& domain_;
     const Catalogue& catalogue_;

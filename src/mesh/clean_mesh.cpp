@@ -58,6 +58,7 @@ void drop_duplicates(TriangleMesh& mesh, const EdgeTable& edges, MeshReport& rep
     };
     std::vector<bool> dropped(mesh.triangles.size(), false);
     std::vector<std::pair<std::int32_t, std::int32_t>> thirds;  // third corner, triangle
+    std::vector<std::pair<std::size_t, std::size_t>> twins;     // dropped triangle, the one before it in the same place
     for (std::size_t e = 0; e < edges.size(); ++e) {
         const auto around = edges[e];
         if (around.size() < 2 || (around.size() == 2 && third(around[0]) != third(around[1]))) continue;
@@ -65,10 +66,21 @@ void drop_duplicates(TriangleMesh& mesh, const EdgeTable& edges, MeshReport& rep
         for (const std::int32_t h : around) thirds.emplace_back(third(h), h / 3);
         std::sort(thirds.begin(), thirds.end());
         for (std::size_t i = 1; i < thirds.size(); ++i)
-            if (thirds[i].first == thirds[i - 1].first) dropped[static_cast<std::size_t>(thirds[i].second)] = true;
+            if (thirds[i].first == thirds[i - 1].first) {
+                const auto twin = static_cast<std::size_t>(thirds[i].second);
+                if (!dropped[twin]) twins.emplace_back(twin, static_cast<std::size_t>(thirds[i - 1].second));
+                dropped[twin] = true;
+            }
     }
     report.duplicate_faces = std::count(dropped.begin(), dropped.end(), true);
     if (report.duplicate_faces == 0) return;
+    std::sort(twins.begin(), twins.end());  // by dropped triangle: a twin of a twin comes later and finds its face settled
+    std::vector<bool> has_own(static_cast<std::size_t>(mesh.input_face_count), false);
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+        if (!dropped[t]) has_own[static_cast<std::size_t>(mesh.input_faces[t])] = true;
+    for (const auto& [twin, first] : twins)
+        if (!has_own[static_cast<std::size_t>(mesh.input_faces[twin])])
+            mesh.repeated_faces.emplace_back(mesh.input_faces[twin], mesh.input_faces[first]);
     std::size_t kept = 0;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         if (dropped[t]) continue;
@@ -109,7 +121,7 @@ std::vector<std::string> MeshReport::sentences() const {
         all.push_back(counted(degenerate_faces, "face has", "faces have") + " no area and will carry no label.");
     if (duplicate_faces > 0)
         all.push_back(counted(duplicate_faces, "triangle repeats", "triangles repeat") +
-                      " another one with the same corners; the first was kept.");
+                      " another one with the same corners; they share its label.");
     if (flipped_triangles > 0)
         all.push_back(counted(flipped_triangles, "triangle was", "triangles were") +
                       " turned over, to agree with the neighbours and face outward.");

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,8 @@ struct TriangleMesh {
         triangles;                          ///< #T vertex indices in [0, #V), counter-clockwise from outside
     std::vector<std::int32_t> input_faces;  ///< #T input face of each triangle, in [0, input_face_count)
     std::int32_t input_face_count = 0;      ///< faces in the file, degenerate ones included
+    /// Input faces without a triangle of their own because an earlier face lies in the same place: (face, that earlier face).
+    std::vector<std::pair<std::int32_t, std::int32_t>> repeated_faces;
 };
 
 /// The triangle across each edge. Edge e of a triangle runs from its corner e to corner (e + 1) % 3.

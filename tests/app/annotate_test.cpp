@@ -126,6 +126,22 @@ TEST(Annotate, OnlyTheFormatsAskedFor) {
     EXPECT_FALSE(fs::exists(folder.path() / "out/bench/preview.png"));
 }
 
+TEST(Annotate, AFaceThatRepeatsAnotherSharesItsLabel) {
+    const TemporaryFolder folder;
+    std::string off = to_off(object("bench").mesh);
+    const std::size_t header_end = off.find("\n", 4);
+    off.replace(4, header_end - 4, "20 37 0");
+    folder.write("bench.off", off + off.substr(off.rfind("\n3 ") + 1));
+    const ProgramResult result =
+        run_partonomy({"annotate", "bench.off", "--ontology", furniture_path(), "-o", "out"}, folder.path());
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_NE(result.err.find("repeats"), std::string::npos) << result.err;
+    const std::vector<std::string> labels = lines_of(read_file(folder.path() / "out/bench/labels.txt"));
+    ASSERT_EQ(labels.size(), 37U);
+    EXPECT_NE(labels[36], "-");
+    EXPECT_EQ(labels[36], labels[35]);
+}
+
 TEST(Annotate, UnknownUnitLeavesSizesOpen) {
     const TemporaryFolder folder;
     folder.write("bench.off", to_off(object("bench").mesh));
