@@ -14,6 +14,7 @@
 #include <cmath>
 
 #include "base/errors.h"
+#include "base/spelling.h"
 #include "shape/membership.h"
 
 namespace partonomy {
@@ -29,21 +30,6 @@ constexpr double find_all_cost = 20;  ///< one `find all` against one `is a`: it
 /// Shapes that find_parts cuts: what a region of a box-like partition can be told to be.
 bool has_find_all(const std::string& local_name) {
     return local_name == "Board" || local_name == "Stick" || local_name == "Cube";
-}
-
-std::size_t edit_distance(const std::string& a, const std::string& b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-    for (std::size_t i = 1; i <= a.size(); ++i) {
-        std::size_t diagonal = row[0];
-        row[0] = i;
-        for (std::size_t j = 1; j <= b.size(); ++j) {
-            const std::size_t above = row[j];
-            row[j] = std::min({above + 1, row[j - 1] + 1, diagonal + (a[i - 1] != b[j - 1])});
-            diagonal = above;
-        }
-    }
-    return row.back();
 }
 
 const Measure& require_measure(const Domain& domain, const owl::Iri& iri, const std::string& name) {
