@@ -27,10 +27,10 @@ struct PlaneFit {
     double deviation = 0;  ///< root mean square distance of the middle points from the plane
 };
 
-PlaneFit fit_plane(const Surface& s, const Core& core) {
+PlaneFit fit_plane_to(const Surface& s, const std::vector<std::int32_t>& triangles) {
     Vec3 centre = Vec3::Zero();
     double area = 0, half = 0;
-    for (const std::int32_t i : core.triangles) {
+    for (const std::int32_t i : triangles) {
         const Frame f = local_frame(s, i);
         centre += s.geometry.areas[i] * f.middle;
         half += s.geometry.areas[i] * f.half;
@@ -38,12 +38,31 @@ PlaneFit fit_plane(const Surface& s, const Core& core) {
     }
     centre /= area;
     Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-    for (const std::int32_t i : core.triangles) {
+    for (const std::int32_t i : triangles) {
         const Vec3 d = local_frame(s, i).middle - centre;
         spread += s.geometry.areas[i] * d * d.transpose();
     }
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(spread);
     return {{centre, eigen.eigenvectors().col(0), half / area}, std::sqrt(std::max(0.0, eigen.eigenvalues()[0]) / area)};
+}
+
+/// The middle plane of a board's core; triangles that stray from it are left out while most of the core agrees.
+PlaneFit fit_plane(const Surface& s, const Core& core) {
+    PlaneFit fit = fit_plane_to(s, core.triangles);
+    for (int round = 0; round < 3; ++round) {
+        if (fit.deviation < 1e-3 * core.thickness) break;
+        std::vector<std::int32_t> near;
+        double area = 0;
+        const double limit = std::max(1.5 * fit.deviation, 1e-3 * core.thickness);
+        for (const std::int32_t i : core.triangles)
+            if (std::abs((local_frame(s, i).middle - fit.frame.middle).dot(fit.frame.normal)) < limit) {
+                near.push_back(i);
+                area += s.geometry.areas[i];
+            }
+        if (near.empty() || area < 0.8 * core.area) break;
+        fit = fit_plane_to(s, near);
+    }
+    return fit;
 }
 
 /// Numbers of the boards: level ones first, large ones first.
@@ -95,10 +114,45 @@ void split_into_pieces(const Surface& s, Parts& parts, std::int32_t k) {
         first = false;
         for (const std::int32_t i : piece) parts.part_of[i] = number;
     }
-    // Two thirds of pieces are found above; marks never stay behind because every piece gets a number or -1.
+}
+
+/// How many of the triangles are nearer to the board's core than a distance; sampled.
+double share_near(const Surface& s, const std::vector<std::int32_t>& triangles, const Core& board, double distance) {
+    const std::size_t step = 1 + board.triangles.size() / 600, own_step = 1 + triangles.size() / 40;
+    int near = 0, all = 0;
+    for (std::size_t w = own_step / 2; w < triangles.size(); w += own_step) {
+        ++all;
+        for (std::size_t q = 0; q < board.triangles.size(); q += step)
+            if ((s.geometry.barycentres[triangles[w]] - s.geometry.barycentres[board.triangles[q]]).squaredNorm() <
+                distance * distance) {
+                ++near;
+                break;
+            }
+    }
+    return all > 0 ? static_cast<double>(near) / all : 0;
 }
 
 }  // namespace
+
+void absorb_rims(const Surface& s, const Vec3& up, Parts& parts) {
+    for (const std::int32_t b : boards_in_order(s, up, parts)) {
+        Core& board = parts.parts[b];
+        const Frame plane = fit_plane(s, board).frame;
+        for (std::size_t k = 0; k < parts.parts.size(); ++k) {
+            Core& rim = parts.parts[k];
+            if (rim.kind == Solidity::board || rim.triangles.empty() || rim.area > 0.25 * board.area) continue;
+            double within = 0;
+            for (const std::int32_t i : rim.triangles)
+                if (std::abs((s.geometry.barycentres[i] - plane.middle).dot(plane.normal)) < 1.3 * plane.half)
+                    within += s.geometry.areas[i];
+            if (within < 0.8 * rim.area) continue;
+            if (share_near(s, rim.triangles, board, 0.75 * (board.thickness + rim.thickness)) < 0.6) continue;
+            for (const std::int32_t i : rim.triangles) parts.part_of[i] = -1;
+            rim.triangles.clear();
+            rim.area = 0;
+        }
+    }
+}
 
 void cut_at_boards(const Surface& s, const Vec3& up, Parts& parts) {
     for (const std::int32_t b : boards_in_order(s, up, parts)) {
@@ -117,13 +171,7 @@ void cut_at_boards(const Surface& s, const Vec3& up, Parts& parts) {
                 if (std::abs(u) <= plane.half) within.push_back(i);
             }
             if (std::min(above, below) < 0.1 * stick.area || within.empty()) continue;
-            double nearest = s.size;
-            const std::size_t step = std::max<std::size_t>(1, parts.parts[b].triangles.size() / 500);
-            for (std::size_t w = 0; w < within.size(); w += 1 + within.size() / 30)
-                for (std::size_t q = 0; q < parts.parts[b].triangles.size(); q += step)
-                    nearest = std::min(nearest, (s.geometry.barycentres[within[w]] -
-                                                 s.geometry.barycentres[parts.parts[b].triangles[q]]).norm());
-            if (nearest > 2 * (stick.thickness + parts.parts[b].thickness)) continue;
+            if (share_near(s, within, parts.parts[b], 2 * (stick.thickness + parts.parts[b].thickness)) == 0) continue;
             for (const std::int32_t i : within) parts.part_of[i] = -1;
             std::erase_if(parts.parts[k].triangles, [&](std::int32_t i) { return parts.part_of[i] < 0; });
             split_into_pieces(s, parts, static_cast<std::int32_t>(k));
@@ -131,28 +179,107 @@ void cut_at_boards(const Surface& s, const Vec3& up, Parts& parts) {
     }
 }
 
-void claim_slabs(const Surface& s, const Vec3& up, Parts& parts) {
-    constexpr double planar = 0.12, exact = 1.02, loose = 1.1, reach = 4;
-    std::vector<Frame> frame(s.count());
-    for (const std::int32_t b : boards_in_order(s, up, parts)) {
-        const Core& board = parts.parts[b];
-        const PlaneFit fit = fit_plane(s, board);
-        const bool flat = fit.deviation < planar * board.thickness;
-        std::vector<std::int32_t> queue = board.triangles;
-        for (const std::int32_t i : queue) frame[i] = local_frame(s, i);
-        for (std::size_t at = 0; at < queue.size(); ++at)
-            for (const std::int32_t j : s.adjacency.neighbours[queue[at]]) {
-                if (j < 0 || parts.part_of[j] >= 0) continue;
-                const Frame& f = flat ? fit.frame : frame[queue[at]];
-                const Vec3 offset = s.geometry.barycentres[j] - f.middle;
-                const double u = offset.dot(f.normal);
-                if (std::abs(u) > f.half * (flat ? exact : loose)) continue;
-                if (!flat && offset.squaredNorm() > reach * reach * 4 * f.half * f.half) continue;
-                frame[j] = frame[queue[at]];
-                parts.part_of[j] = b;
-                queue.push_back(j);
-            }
+namespace {
+
+/// Whether the triangle is on the rim of a board: from a point just below it, the board's two walls are met to both sides
+/// before a way longer than the board is thick.
+bool on_rim(const Surface& s, const Parts& parts, std::int32_t board, const Frame& f, std::int32_t i) {
+    if (std::abs(s.normals[i].dot(f.normal)) > 0.8) return false;
+    const Vec3 inside = s.geometry.barycentres[i] - s.normals[i] * (0.5 * f.half);
+    double way = 0;
+    for (const double side : {1.0, -1.0}) {
+        const WallHit hit = s.scene->exit_wall(inside, side * f.normal);
+        if (hit.triangle < 0 || parts.part_of[hit.triangle] != board) return false;
+        way += hit.distance;
     }
+    return way < 3 * f.half;
+}
+
+/// One board's growth over the triangles around its core.
+class SlabClaim {
+public:
+    SlabClaim(const Surface& surface, Parts& parts, std::vector<Frame>& frames, std::vector<float>& beyond)
+        : s_(surface), parts_(parts), frame_(frames), beyond_(beyond) {}
+
+    void grow(std::int32_t number) {
+        board_ = number;
+        const Core& board = parts_.parts[number];
+        const PlaneFit fit = fit_plane(s_, board);
+        flat_ = fit.deviation < planar * board.thickness;
+        exact_ = fit.deviation < 0.01 * board.thickness;
+        plane_ = fit.frame;
+        if (exact_) release_strays(number);
+        Core& part = parts_.parts[number];
+        part.is_exact = exact_;
+        part.middle = plane_.middle;
+        part.normal = plane_.normal;
+        part.half = plane_.half;
+        queue_ = board.triangles;
+        for (const std::int32_t i : queue_) {
+            frame_[i] = local_frame(s_, i);
+            beyond_[i] = 0;
+        }
+        for (std::size_t at = 0; at < queue_.size(); ++at)
+            for (const std::int32_t j : s_.adjacency.neighbours[queue_[at]])
+                if (j >= 0 && parts_.part_of[j] != number) consider(queue_[at], j);
+    }
+
+private:
+    /// A wedge that leans on an exact board may have come in with its thin end.
+    void release_strays(std::int32_t number) {
+        std::erase_if(parts_.parts[number].triangles, [&](std::int32_t i) {
+            const double u = std::abs((s_.geometry.barycentres[i] - plane_.middle).dot(plane_.normal));
+            const bool stray = std::abs(u - plane_.half) > 0.1 * plane_.half;
+            if (stray) parts_.part_of[i] = -1;
+            return stray;
+        });
+    }
+
+    void consider(std::int32_t from, std::int32_t j) {
+        const bool free = parts_.part_of[j] < 0;
+        if (!free && parts_.parts[parts_.part_of[j]].thickness < thicker * parts_.parts[board_].thickness) return;
+        const Frame& f = flat_ ? plane_ : frame_[from];
+        float beyond = 0;
+        if (!on_rim(s_, parts_, board_, f, j)) {
+            if (!free) return;
+            beyond = beyond_[from] +
+                     static_cast<float>((s_.geometry.barycentres[j] - s_.geometry.barycentres[from]).norm());
+            if (!exact_ && beyond > reach * parts_.parts[board_].thickness) return;
+            const Vec3 way = s_.geometry.barycentres[j] - s_.geometry.barycentres[from];
+            const bool concave = way.dot(s_.normals[from]) > 0;
+            if (concave && s_.normals[from].dot(s_.normals[j]) < crease) return;
+            const double u = (s_.geometry.barycentres[j] - f.middle).dot(f.normal);
+            if (std::abs(u) > f.half * (flat_ ? exact : loose)) return;
+        }
+        frame_[j] = frame_[from];
+        beyond_[j] = beyond;
+        parts_.part_of[j] = board_;
+        queue_.push_back(j);
+    }
+
+    static constexpr double planar = 0.12;  // of the thickness: less deviation from a plane is none
+    static constexpr double exact = 1.02, loose = 1.1;
+    static constexpr double reach = 4;      // thicknesses beyond the last sure place
+    static constexpr double thicker = 1.5;  // parts by so much thicker may lose their triangles to a board's rim
+    static constexpr double crease = 0.866;
+
+    const Surface& s_;
+    Parts& parts_;
+    std::vector<Frame>& frame_;
+    std::vector<float>& beyond_;
+    std::vector<std::int32_t> queue_;
+    std::int32_t board_ = -1;
+    bool flat_ = false, exact_ = false;
+    Frame plane_;
+};
+
+}  // namespace
+
+void claim_slabs(const Surface& s, const Vec3& up, Parts& parts) {
+    std::vector<Frame> frames(s.count());
+    std::vector<float> beyond(s.count());
+    SlabClaim claim(s, parts, frames, beyond);
+    for (const std::int32_t board : boards_in_order(s, up, parts)) claim.grow(board);
 }
 
 void found_new_parts(const Surface& s, Parts& parts) {

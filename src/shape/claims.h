@@ -17,12 +17,18 @@ struct Parts {
 /// board's walls becomes free, and the pieces above and below become sticks of their own.
 void cut_at_boards(const Surface& surface, const Vec3& up, Parts& parts);
 
+/// Frees sticks that are but the thick rim of a board: they lie between its walls, all along it.
+void absorb_rims(const Surface& surface, const Vec3& up, Parts& parts);
+
 /// Boards take the free triangles that lie between their walls, continued: the rim, and the places where another part
 /// stands on the other side. Level boards come first, so that a seat keeps its corners where legs are flush with it.
 void claim_slabs(const Surface& surface, const Vec3& up, Parts& parts);
 
 /// Free pieces that face themselves across their own thickness become parts: sticks whose walls are not parallel.
 void found_new_parts(const Surface& surface, Parts& parts);
+
+/// Joins a part to the one that most of it faces: two walls of one stick are one stick.
+void merge_parts(const Surface& surface, Parts& parts);
 
 /// Gives every triangle that is still free to the part that reaches it first; concave creases are far to cross.
 void fill(const Surface& surface, Parts& parts);

@@ -29,11 +29,14 @@ private:
     std::vector<std::int32_t> parent_;
 };
 
-const double wall_cosine = std::cos(30 * std::numbers::pi / 180);
+const double parallel_cosine = std::cos(30 * std::numbers::pi / 180);
+const double slanted_cosine = std::cos(65 * std::numbers::pi / 180);
 const double crease_cosine = std::cos(30 * std::numbers::pi / 180);
 const double square_cosine = std::cos(35 * std::numbers::pi / 180);
 const double turn_cosine = std::cos(38 * std::numbers::pi / 180);
-constexpr double thickness_step = 1.25;
+constexpr double cell_area = 0.2;     // of thickness squared: as fine as cells get
+constexpr double fewest_cells = 24, most_cells = 600;
+constexpr double odd_thickness = 1.8;
 constexpr double least_share = 1e-3;  // of the whole surface: less is no part
 
 /// What rays from the middle between two walls, along them, tell about a part: how narrow and how long it is there.
@@ -85,7 +88,8 @@ Solidity kind_of(double ratio, double reach) {
 /// Cuts one component where it changes between board and stick or where a stick turns a corner.
 class Divider {
 public:
-    Divider(const Surface& surface, std::vector<std::int32_t>& cell_of) : s_(surface), cell_of_(cell_of) {}
+    Divider(const Surface& surface, double total_area, bool bends, std::vector<std::int32_t>& cell_of)
+        : s_(surface), total_area_(total_area), bends_(bends), cell_of_(cell_of) {}
 
     void divide(const Core& component, std::vector<Core>& out) {
         sample(component);
@@ -94,7 +98,7 @@ public:
         Sets sets(cells_.size());
         for (std::size_t a = 0; a < cells_.size(); ++a)
             for (const std::int32_t b : cells_[a].neighbours)
-                if (same_part(cells_[a], cells_[b])) sets.join(static_cast<std::int32_t>(a), b);
+                if (same_part(cells_[a], cells_[b], bends_)) sets.join(static_cast<std::int32_t>(a), b);
         absorb_small(sets, component);
         emit(component, sets, out);
         for (const std::int32_t i : component.triangles) cell_of_[i] = -1;
@@ -104,7 +108,8 @@ private:
     void sample(const Core& component) {
         cells_.clear();
         seeds_.clear();
-        const double wanted = std::clamp(component.area / (1.0 * component.thickness * component.thickness), 16.0, 220.0);
+        const double wanted = std::clamp(component.area / (cell_area * component.thickness * component.thickness), fewest_cells,
+                                         fewest_cells + most_cells * component.area / total_area_);
         const double step = component.area / wanted;
         double next = step / 2, sum = 0;
         for (const std::int32_t i : component.triangles) {
@@ -182,9 +187,9 @@ private:
         cells_ = std::move(smoothed);
     }
 
-    static bool same_part(const Cell& a, const Cell& b) {
+    static bool same_part(const Cell& a, const Cell& b, bool bends) {
         if (a.kind != b.kind) return false;
-        return a.kind != Solidity::stick || std::abs(a.along.dot(b.along)) > turn_cosine;
+        return bends || a.kind != Solidity::stick || std::abs(a.along.dot(b.along)) > turn_cosine;
     }
 
     /// Pieces too small to be a part join the neighbour with the longest common border.
@@ -196,10 +201,10 @@ private:
             std::vector<std::vector<std::pair<std::int32_t, int>>> borders(cells_.size());
             for (std::size_t a = 0; a < cells_.size(); ++a) {
                 const std::int32_t own = sets.find(static_cast<std::int32_t>(a));
-                if (area[own] >= least_area(component)) continue;
+                if (area[own] >= least_area(component) || cells_[a].kind == Solidity::unknown) continue;
                 for (const std::int32_t b : cells_[a].neighbours) {
                     const std::int32_t other = sets.find(b);
-                    if (other == own) continue;
+                    if (other == own || cells_[b].kind == Solidity::unknown) continue;
                     auto at = std::find_if(borders[own].begin(), borders[own].end(),
                                            [&](const auto& entry) { return entry.first == other; });
                     if (at == borders[own].end()) at = borders[own].insert(at, {other, 0});
@@ -220,7 +225,7 @@ private:
     }
 
     [[nodiscard]] double least_area(const Core& component) const {
-        return std::min(0.2 * component.area, 6 * component.thickness * component.thickness);
+        return std::min(0.2 * component.area, 3 * component.thickness * component.thickness);
     }
 
     void emit(const Core& component, Sets& sets, std::vector<Core>& out) const {
@@ -252,6 +257,8 @@ private:
     }
 
     const Surface& s_;
+    double total_area_;
+    bool bends_;  ///< sticks are not parted where they turn
     std::vector<std::int32_t>& cell_of_;
     std::vector<Cell> cells_;
     std::vector<std::int32_t> seeds_;
@@ -266,61 +273,97 @@ double median_thickness(const Surface& s, const std::vector<std::int32_t>& trian
     return *middle;
 }
 
-}  // namespace
+/// How alike neighbours must be to belong to one component.
+struct Likeness {
+    double wall_cosine;     ///< a wall and its opposite look away from each other at least so much
+    double thickness_step;  ///< largest ratio of thicknesses from a triangle to the next
+};
 
-Cores find_cores(const Surface& s) {
+/// Connected sets of free triangles that are walls of alike thickness, each with its opposite wall; concave creases part.
+std::vector<Core> find_components(const Surface& s, const std::vector<char>& taken, const Likeness& like) {
     const std::size_t count = s.count();
     const auto& t = s.thickness.distances;
     const auto& opposite = s.thickness.opposites;
     std::vector<char> wall(count);
     for (std::size_t i = 0; i < count; ++i)
-        wall[i] = opposite[i] >= 0 && -s.normals[i].dot(s.normals[opposite[i]]) > wall_cosine;
-    Sets sets(count);
-    const auto alike = [&](std::int32_t i, std::int32_t j) {
-        return wall[i] && wall[j] && t[i] < thickness_step * t[j] && t[j] < thickness_step * t[i];
+        wall[i] = !taken[i] && opposite[i] >= 0 && !taken[opposite[i]] &&
+                  -s.normals[i].dot(s.normals[opposite[i]]) > like.wall_cosine;
+    const auto step = static_cast<float>(like.thickness_step);
+    const auto alike = [&](std::size_t i, std::int32_t j) {
+        return wall[j] && t[i] < step * t[j] && t[j] < step * t[i];
     };
+    Sets sets(count);
     for (std::size_t i = 0; i < count; ++i) {
         const auto self = static_cast<std::int32_t>(i);
         if (!wall[i]) continue;
         for (const std::int32_t j : s.adjacency.neighbours[i]) {
-            if (j < self || !alike(self, j)) continue;
+            if (j < self || !alike(i, j)) continue;
             const bool concave = (s.geometry.barycentres[j] - s.geometry.barycentres[i]).dot(s.normals[i]) > 0;
             if (concave && s.normals[i].dot(s.normals[j]) < crease_cosine) continue;
             sets.join(self, j);
         }
-        if (alike(self, opposite[i])) sets.join(self, opposite[i]);
+        if (alike(i, opposite[i])) sets.join(self, opposite[i]);
     }
     std::vector<std::int32_t> number(count, -1);
-    std::vector<Core> cores;
+    std::vector<Core> components;
     for (std::size_t i = 0; i < count; ++i) {
         if (!wall[i]) continue;
         const std::int32_t root = sets.find(static_cast<std::int32_t>(i));
         if (number[root] < 0) {
-            number[root] = static_cast<std::int32_t>(cores.size());
-            cores.emplace_back();
+            number[root] = static_cast<std::int32_t>(components.size());
+            components.emplace_back();
         }
-        Core& core = cores[number[root]];
-        core.triangles.push_back(static_cast<std::int32_t>(i));
-        core.area += s.geometry.areas[i];
+        Core& component = components[number[root]];
+        component.triangles.push_back(static_cast<std::int32_t>(i));
+        component.area += s.geometry.areas[i];
     }
-    std::vector<Core> components = std::move(cores);
-    cores.clear();
-    std::vector<std::int32_t> cell_of(count, -1);
-    Divider divider(s, cell_of);
-    const double total = std::accumulate(s.geometry.areas.begin(), s.geometry.areas.end(), 0.0);
+    return components;
+}
+
+/// Thickness may change along a part, but not without limit: a wedge that stands on a board is not the board.
+void drop_odd_thickness(const Surface& s, Core& component) {
+    const auto low = static_cast<float>(component.thickness / odd_thickness);
+    const auto high = static_cast<float>(component.thickness * odd_thickness);
+    std::erase_if(component.triangles, [&](std::int32_t i) {
+        return s.thickness.distances[i] < low || s.thickness.distances[i] > high;
+    });
+    component.area = 0;
+    for (const std::int32_t i : component.triangles) component.area += s.geometry.areas[i];
+}
+
+/// The parts of components that can be cores.
+std::vector<Core> divide(const Surface& s, std::vector<Core> components, double total_area, double least_cubes,
+                         bool bends) {
+    std::vector<std::int32_t> cell_of(s.count(), -1);
+    Divider divider(s, total_area, bends, cell_of);
+    const auto too_small = [&](Core& core) {
+        if (core.area < least_share * total_area) return true;
+        core.thickness = median_thickness(s, core.triangles);
+        return core.area < least_cubes * core.thickness * core.thickness;
+    };
+    std::vector<Core> cores;
     for (Core& component : components) {
-        component.thickness = median_thickness(s, component.triangles);
-        if (component.area < least_share * total) continue;
-        if (component.area < component.thickness * component.thickness || component.triangles.size() < 4) continue;
+        if (component.triangles.size() < 4 || too_small(component)) continue;
+        drop_odd_thickness(s, component);
         divider.divide(component, cores);
     }
-    for (Core& core : cores) {
-        core.thickness = median_thickness(s, core.triangles);
-        if (core.area < core.thickness * core.thickness || core.area < least_share * total) core.kind = Solidity::unknown;
-    }
-    std::erase_if(cores, [](const Core& core) { return core.kind == Solidity::unknown; });
+    std::erase_if(cores, [&](Core& core) { return core.kind == Solidity::unknown || too_small(core); });
+    return cores;
+}
+
+}  // namespace
+
+Cores find_cores(const Surface& s) {
+    const double total = std::accumulate(s.geometry.areas.begin(), s.geometry.areas.end(), 0.0);
+    std::vector<char> taken(s.count(), 0);
+    std::vector<Core> cores = divide(s, find_components(s, taken, {parallel_cosine, 1.25}), total, 1, false);
+    for (const Core& core : cores)
+        for (const std::int32_t i : core.triangles) taken[i] = 1;
+    // Walls that are not parallel, such as those of a stick with three sides, in what is left.
+    for (Core& core : divide(s, find_components(s, taken, {slanted_cosine, 2}), total, 4, true))
+        if (core.kind == Solidity::stick) cores.push_back(std::move(core));
     std::stable_sort(cores.begin(), cores.end(), [](const Core& a, const Core& b) { return a.area > b.area; });
-    Cores result{std::move(cores), std::vector<std::int32_t>(count, -1)};
+    Cores result{std::move(cores), std::vector<std::int32_t>(s.count(), -1)};
     for (std::size_t k = 0; k < result.cores.size(); ++k)
         for (const std::int32_t i : result.cores[k].triangles) result.core_of[i] = static_cast<std::int32_t>(k);
     return result;

@@ -18,6 +18,9 @@ struct Core {
     Vec3 normal = Vec3::Zero();           ///< across the walls (board)
     Vec3 axis = Vec3::Zero();             ///< along the stick
     double area = 0;
+    bool is_exact = false;                ///< a board between two true planes: `middle`, `normal` and `half` tell which
+    Vec3 middle = Vec3::Zero();
+    double half = 0;
 };
 
 /// Cores of all parts, those with the largest area first, and per triangle the number of its core or -1.

@@ -19,8 +19,8 @@ struct Step {
     }
 };
 
-constexpr double crease_factor = 6;
-constexpr double board_factor = 0.4;
+constexpr double outside_exact = 20, flat_turn = 1e-4;
+constexpr double stick_crease = 20, board_crease = 5;
 
 }  // namespace
 
@@ -33,9 +33,11 @@ void fill(const Surface& s, Parts& parts) {
             const Vec3 way = s.geometry.barycentres[j] - s.geometry.barycentres[from];
             const double turn = 1 - s.normals[from].dot(s.normals[j]);
             const bool concave = way.dot(s.normals[from] - s.normals[j]) > 0;
-            const double factor = parts.parts[part].kind == Solidity::stick ? 1 : board_factor;
-            const double crease = concave ? crease_factor * turn * parts.parts[part].thickness : 0;
-            queue.push({cost + factor * way.norm() + crease, j, part});
+            const double factor = parts.parts[part].kind == Solidity::stick ? stick_crease : board_crease;
+            const double crease = concave ? factor * turn * parts.parts[part].thickness : 0;
+            const double u = (s.geometry.barycentres[j] - parts.parts[part].middle).dot(parts.parts[part].normal);
+            const bool outside = parts.parts[part].is_exact && turn < flat_turn && std::abs(u) > 1.05 * parts.parts[part].half;
+            queue.push({cost + (outside ? outside_exact : 1) * way.norm() + crease, j, part});
         }
     };
     for (std::size_t i = 0; i < s.count(); ++i)

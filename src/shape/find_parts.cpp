@@ -1,13 +1,39 @@
-// Cutting a mesh into boards, sticks and cubes.
+// Cutting a mesh into boards, sticks and cubes: `find all` of paper §6.4, taken on to real shapes.
+//
+// The paper grows two planes from a triangle and its opposite, adds the lateral surface, and judges the box. We keep its
+// idea (a part is what lies between two walls that face each other) and its single inward ray per triangle, but let all
+// parts grow at once, on measurements that are local, so that bent boards and round sticks are in scope:
+//
+//   refine     large triangles are cut, so that a CAD mesh and a scan look alike (refine.cpp)
+//   rays       the distance to the opposite wall of each triangle (thickness.cpp)
+//   cores      walls of alike thickness grow together with their opposite walls; the result is cut where it changes
+//              between board and stick or turns a corner (cores.cpp)
+//   claims     sticks are cut where a board crosses them; boards take their rims and corners (claims.cpp)
+//   fill       what is left goes to the part that reaches it first, concave creases being far to cross (fill.cpp)
+//   merge      two parts that face each other at close range, or continue each other, are one (merge.cpp)
+//   vote       each triangle of the caller goes to the part that holds most of its area; regions are made connected
+//   boxes      smallest boxes with lengths that noise does not inflate, fitting scores (part_box.cpp)
+//
+// No step looks at a length that is not relative to a thickness or to the whole. `up` is used once: where a level and an
+// upright board are flush, the corner belongs to the level one.
+//
+// Cost: O(n log n) for n triangles; most of it is Embree's tree and the rays.
+
 #include "shape/find_parts.h"
+
+#include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <algorithm>
+
 #include "shape/claims.h"
-#include "shape/surface.h"
 #include "shape/cores.h"
+#include "shape/part_box.h"
+#include "shape/surface.h"
+
 namespace partonomy {
+
 namespace {
+
 class Clock {
 public:
     explicit Clock(StageTimes* times) : times_(times) {}
@@ -16,16 +42,136 @@ public:
         if (times_) times_->emplace_back(stage, std::chrono::duration<double, std::milli>(now - start_).count());
         start_ = now;
     }
+
 private:
     StageTimes* times_;
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
+
+/// The part that holds most of each of the caller's triangles, or -1.
+std::vector<std::int32_t> vote(const Surface& s, const std::vector<std::int32_t>& part_of) {
+    using Share = std::pair<std::int32_t, double>;
+    std::vector<std::int32_t> winner(s.mesh.input_face_count, -1);
+    std::vector<Share> shares;
+    const auto close = [&](std::int32_t face) {
+        if (shares.empty()) return;
+        const auto best = std::max_element(shares.begin(), shares.end(), [](const Share& a, const Share& b) {
+            return a.second != b.second ? a.second < b.second : a.first > b.first;
+        });
+        winner[face] = best->first;
+        shares.clear();
+    };
+    // Refining keeps the pieces of one triangle together.
+    for (std::size_t i = 0; i < s.count(); ++i) {
+        if (part_of[i] >= 0) {
+            auto at = std::find_if(shares.begin(), shares.end(), [&](const Share& x) { return x.first == part_of[i]; });
+            if (at == shares.end()) at = shares.insert(at, {part_of[i], 0.0});
+            at->second += s.geometry.areas[i];
+        }
+        if (i + 1 == s.count() || s.mesh.input_faces[i + 1] != s.mesh.input_faces[i]) close(s.mesh.input_faces[i]);
+    }
+    return winner;
 }
+
+/// Keeps the largest piece of each part and gives smaller ones to the neighbour with the longest common border; pieces
+/// without a neighbour (separate shells) stay, as parts of their own.
+void connect(const TriangleMesh& mesh, const Adjacency& adjacency, const TriangleGeometry& geometry,
+             std::vector<std::int32_t>& part_of) {
+    for (int round = 0; round < 8; ++round) {
+        const std::size_t count = part_of.size();
+        std::vector<std::int32_t> piece_of(count, -1);
+        std::vector<std::vector<std::int32_t>> pieces;
+        std::vector<double> area;
+        for (std::size_t start = 0; start < count; ++start) {
+            if (piece_of[start] >= 0) continue;
+            const auto number = static_cast<std::int32_t>(pieces.size());
+            std::vector<std::int32_t> piece{static_cast<std::int32_t>(start)};
+            piece_of[start] = number;
+            double sum = 0;
+            for (std::size_t at = 0; at < piece.size(); ++at) {
+                sum += geometry.areas[piece[at]];
+                for (const std::int32_t j : adjacency.neighbours[piece[at]])
+                    if (j >= 0 && piece_of[j] < 0 && part_of[j] == part_of[start]) {
+                        piece_of[j] = number;
+                        piece.push_back(j);
+                    }
+            }
+            pieces.push_back(std::move(piece));
+            area.push_back(sum);
+        }
+        std::int32_t parts = 0;
+        for (const std::int32_t part : part_of) parts = std::max(parts, part + 1);
+        std::vector<std::int32_t> largest(parts, -1);
+        for (std::size_t k = 0; k < pieces.size(); ++k) {
+            const std::int32_t part = part_of[pieces[k].front()];
+            if (part >= 0 && (largest[part] < 0 || area[k] > area[largest[part]]))
+                largest[part] = static_cast<std::int32_t>(k);
+        }
+        bool changed = false;
+        const std::vector<std::int32_t> before = part_of;
+        for (std::size_t k = 0; k < pieces.size(); ++k) {
+            const std::int32_t part = before[pieces[k].front()];
+            if (part >= 0 && largest[part] == static_cast<std::int32_t>(k)) continue;
+            std::vector<std::pair<std::int32_t, double>> borders;
+            for (const std::int32_t i : pieces[k])
+                for (int e = 0; e < 3; ++e) {
+                    const std::int32_t j = adjacency.neighbours[i][e];
+                    if (j < 0 || before[j] < 0 || before[j] == part) continue;
+                    const auto& corners = mesh.triangles[i];
+                    const double length = (mesh.positions[corners[e]] - mesh.positions[corners[(e + 1) % 3]]).norm();
+                    auto at = std::find_if(borders.begin(), borders.end(), [&](const auto& x) { return x.first == before[j]; });
+                    if (at == borders.end()) at = borders.insert(at, {before[j], 0.0});
+                    at->second += length;
+                }
+            std::int32_t to = -1;
+            if (!borders.empty()) {
+                to = std::max_element(borders.begin(), borders.end(), [](const auto& a, const auto& b) {
+                         return a.second != b.second ? a.second < b.second : a.first > b.first;
+                     })->first;
+            } else if (part >= 0) {
+                to = parts++;
+            } else {
+                continue;
+            }
+            for (const std::int32_t i : pieces[k]) part_of[i] = to;
+            changed = true;
+        }
+        if (!changed) break;
+    }
+}
+
+std::vector<PartRegion> collect(const TriangleMesh& mesh, const TriangleGeometry& geometry,
+                                const std::vector<std::int32_t>& part_of) {
+    std::vector<std::int32_t> number;  // parts by their lowest triangle
+    std::vector<PartRegion> regions;
+    for (std::size_t i = 0; i < part_of.size(); ++i) {
+        const std::int32_t part = part_of[i];
+        if (part < 0) continue;
+        if (static_cast<std::size_t>(part) >= number.size()) number.resize(static_cast<std::size_t>(part) + 1, -1);
+        if (number[part] < 0) {
+            number[part] = static_cast<std::int32_t>(regions.size());
+            regions.emplace_back();
+        }
+        regions[number[part]].region.triangles.push_back(static_cast<std::int32_t>(i));
+    }
+    for (PartRegion& region : regions) {
+        region.region.memberships.assign(region.region.triangles.size(), 1.0F);
+        const PartBox measured = measure_part(mesh, geometry, region.region.triangles);
+        region.box = measured.box;
+        region.fit = measured.fit;
+    }
+    return regions;
+}
+
+}  // namespace
+
 std::vector<PartRegion> find_parts(const TriangleMesh& mesh, const FindPartsOptions& options, StageTimes* times) {
+    if (mesh.triangles.empty()) return {};
     Clock clock(times);
     Surface s;
     s.size = compute_bounds(mesh).diagonal();
-    s.mesh = refine(mesh, refinement_length(mesh, s.size));
+    const double limit = refinement_length(mesh, s.size);
+    s.mesh = refine(mesh, limit);
     clock.done("refine");
     s.adjacency = build_adjacency(s.mesh);
     s.geometry = compute_geometry(s.mesh);
@@ -37,35 +183,24 @@ std::vector<PartRegion> find_parts(const TriangleMesh& mesh, const FindPartsOpti
     clock.done("rays");
     Cores cores = find_cores(s);
     clock.done("cores");
-    Parts pieces{std::move(cores.cores), std::move(cores.core_of)};
-    cut_at_boards(s, options.up, pieces);
-    claim_slabs(s, options.up, pieces);
-    found_new_parts(s, pieces);
+    Parts parts{std::move(cores.cores), std::move(cores.core_of)};
+    absorb_rims(s, options.up, parts);
+    cut_at_boards(s, options.up, parts);
+    claim_slabs(s, options.up, parts);
+    found_new_parts(s, parts);
     clock.done("claims");
-    fill(s, pieces);
+    fill(s, parts);
     clock.done("fill");
-    std::vector<PartRegion> parts(pieces.parts.size());
-    std::vector<std::int32_t> of(mesh.triangles.size(), -1);
-    {
-        std::vector<std::vector<std::pair<std::int32_t, double>>> votes(mesh.triangles.size());
-        for (std::size_t i = 0; i < s.count(); ++i) {
-            if (pieces.part_of[i] < 0) continue;
-            auto& v = votes[s.mesh.input_faces[i]];
-            auto at = std::find_if(v.begin(), v.end(), [&](const auto& x) { return x.first == pieces.part_of[i]; });
-            if (at == v.end()) at = v.insert(at, {pieces.part_of[i], 0.0});
-            at->second += s.geometry.areas[i];
-        }
-        for (std::size_t i = 0; i < of.size(); ++i)
-            if (!votes[i].empty())
-                of[i] = std::max_element(votes[i].begin(), votes[i].end(), [](const auto& x, const auto& y) { return x.second != y.second ? x.second < y.second : x.first > y.first; })->first;
-    }
-    for (std::size_t i = 0; i < of.size(); ++i) if (of[i] >= 0) parts[of[i]].region.triangles.push_back(int(i));
-    std::vector<PartRegion> r;
-    for (auto& p : parts) if (!p.region.triangles.empty()) {
-        std::vector<Vec3> q;
-        for (int t : p.region.triangles) for (int v : mesh.triangles[t]) q.push_back(mesh.positions[v]);
-        p.region.memberships.assign(p.region.triangles.size(), 1.0F);
-        p.box = smallest_box(q); r.push_back(std::move(p)); }
-    return r;
+    merge_parts(s, parts);
+    clock.done("merge");
+    const bool is_refined = s.mesh.triangles.size() != mesh.triangles.size();
+    const TriangleGeometry geometry = is_refined ? compute_geometry(mesh) : s.geometry;
+    std::vector<std::int32_t> part_of = vote(s, parts.part_of);
+    connect(mesh, is_refined ? build_adjacency(mesh) : s.adjacency, geometry, part_of);
+    clock.done("vote");
+    std::vector<PartRegion> regions = collect(mesh, geometry, part_of);
+    clock.done("boxes");
+    return regions;
 }
-}
+
+}  // namespace partonomy

@@ -106,7 +106,7 @@ private:
     std::vector<Edge> long_;
 };
 
-constexpr double fine_triangles = 6000;   // what a coarse mesh is cut into, about
+constexpr double fine_triangles = 2500;   // what a coarse mesh is cut into, about
 constexpr double shortest_limit = 0.012;  // of the size: no finer than this
 
 }  // namespace

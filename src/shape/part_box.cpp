@@ -1,0 +1,191 @@
+// Box lengths that noise does not inflate, and the fitting score of paper §6.4.
+//
+// The smallest box gives the axes. Each of its six sides is then looked at as a wall: the triangles that face that way,
+// and the area-weighted median of how far out they are. Where the outermost point is hardly farther out than the wall (a
+// fiftieth of the length), the side stays where the smallest box has it, so clean parts keep the smallest box exactly.
+// Otherwise the part is noisy: the axes are turned to the mean normals of the walls, and the walls count. A side without a
+// wall (the end of a leg that goes on as a seat) is where nearly all of the area ends.
+//
+// The fitting score of a triangle looks for the best of the six sides. Its distance d from the side's plane, relative to
+// the size of the part's cross-section w = sqrt(l1 l2), scores 1 up to d = 0.05 w and falls to 0 at d = 0.5 w; the angle
+// between its normal and the side's scores 1 up to 35 degrees and falls to 0 at 90. The score is the product; the fit is
+// the area-weighted mean over the part. A clean box scores 1, a round stick about 0.9, a ball about 0.7.
+
+#include "shape/part_box.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "shape/membership.h"
+
+namespace partonomy {
+
+namespace {
+
+constexpr double hardly_farther = 0.02;
+constexpr double least_wall_share = 0.04;   // of the part's area: less facing one way is no wall
+constexpr double end_quantile = 0.995;
+const double facing_cosine = std::cos(40 * std::numbers::pi / 180);
+constexpr Trapezoid near_wall{0, 0, 0.1, 0.6};
+constexpr Trapezoid along_wall{0, 0, 40, 90};
+
+using Weighted = std::pair<double, double>;  // value, weight
+
+/// The value below which a share of the weight lies.
+double quantile(std::vector<Weighted>& values, double share) {
+    std::sort(values.begin(), values.end());
+    double total = 0, sum = 0;
+    for (const Weighted& value : values) total += value.second;
+    for (const Weighted& value : values)
+        if ((sum += value.second) >= share * total) return value.first;
+    return values.back().first;
+}
+
+struct Sides {
+    Vec3 low, high;   ///< along the three axes
+    bool is_noisy = false;
+};
+
+class Measurer {
+public:
+    Measurer(const TriangleMesh& mesh, const TriangleGeometry& geometry, const std::vector<std::int32_t>& triangles)
+        : geometry_(geometry), triangles_(triangles) {
+        std::vector<std::int32_t> corners;
+        corners.reserve(3 * triangles.size());
+        for (const std::int32_t t : triangles)
+            corners.insert(corners.end(), mesh.triangles[t].begin(), mesh.triangles[t].end());
+        std::sort(corners.begin(), corners.end());
+        corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+        for (const std::int32_t v : corners) points_.push_back(mesh.positions[v]);
+        for (const std::int32_t t : triangles) area_ += geometry.areas[t];
+    }
+
+    PartBox measure() {
+        OrientedBox box = smallest_box(points_);
+        const Vec3 middle = box.axes.transpose() * box.centre;
+        Sides outer{middle - box.lengths / 2, middle + box.lengths / 2};
+        if (!(area_ > 0)) return {box, 1};
+        Sides sides = walls(box.axes, outer);
+        if (sides.is_noisy) {
+            const Eigen::Matrix3d axes = mean_axes(box.axes);
+            outer = extremes(axes);
+            sides = walls(axes, outer);
+            box = make_box(axes, sides);
+        }
+        return {box, fit(box)};
+    }
+
+private:
+    [[nodiscard]] Sides extremes(const Eigen::Matrix3d& axes) const {
+        Sides sides{axes.transpose() * points_.front(), axes.transpose() * points_.front()};
+        for (const Vec3& point : points_) {
+            const Vec3 p = axes.transpose() * point;
+            sides.low = sides.low.cwiseMin(p);
+            sides.high = sides.high.cwiseMax(p);
+        }
+        return sides;
+    }
+
+    [[nodiscard]] Sides walls(const Eigen::Matrix3d& axes, const Sides& outer) {
+        Sides sides = outer;
+        for (int k = 0; k < 3; ++k)
+            for (const int sign : {-1, 1}) {
+                const double place = wall(sign * axes.col(k));
+                double& side = sign > 0 ? sides.high[k] : sides.low[k];
+                if (std::abs(side - sign * place) > hardly_farther * (outer.high[k] - outer.low[k])) {
+                    side = sign * place;
+                    sides.is_noisy = true;
+                }
+            }
+        return sides;
+    }
+
+    /// How far out the wall is that faces `direction`.
+    [[nodiscard]] double wall(const Vec3& direction) {
+        facing_.clear();
+        double facing_area = 0;
+        for (const std::int32_t t : triangles_)
+            if (geometry_.normals[t].dot(direction) > facing_cosine) {
+                facing_.emplace_back(geometry_.barycentres[t].dot(direction), geometry_.areas[t]);
+                facing_area += geometry_.areas[t];
+            }
+        if (facing_area >= least_wall_share * area_) return quantile(facing_, 0.5);
+        facing_.clear();
+        for (const std::int32_t t : triangles_)
+            facing_.emplace_back(geometry_.barycentres[t].dot(direction), geometry_.areas[t]);
+        return quantile(facing_, end_quantile);
+    }
+
+    /// The axes turned to the mean normals of the walls, the axis with most wall first.
+    [[nodiscard]] Eigen::Matrix3d mean_axes(Eigen::Matrix3d axes) const {
+        for (int round = 0; round < 5; ++round) {
+            Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+            for (const std::int32_t t : triangles_) {
+                const Vec3 along = axes.transpose() * geometry_.normals[t];
+                Eigen::Index k = 0;
+                along.cwiseAbs().maxCoeff(&k);
+                sum.col(k) += (along[k] > 0 ? geometry_.areas[t] : -geometry_.areas[t]) * geometry_.normals[t];
+            }
+            std::array<int, 3> order{0, 1, 2};
+            std::stable_sort(order.begin(), order.end(),
+                             [&](int a, int b) { return sum.col(a).squaredNorm() > sum.col(b).squaredNorm(); });
+            if (!(sum.col(order[1]).squaredNorm() > 0)) return axes;
+            axes.col(0) = sum.col(order[0]).normalized();
+            const Vec3 second = sum.col(order[1]) - axes.col(0) * axes.col(0).dot(sum.col(order[1]));
+            axes.col(1) = second.normalized();
+            axes.col(2) = axes.col(0).cross(axes.col(1));
+        }
+        return axes;
+    }
+
+    static OrientedBox make_box(const Eigen::Matrix3d& axes, const Sides& sides) {
+        const Vec3 lengths = (sides.high - sides.low).cwiseMax(0.0);
+        std::array<int, 3> order{0, 1, 2};
+        std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return lengths[a] > lengths[b]; });
+        OrientedBox box;
+        box.centre = axes * ((sides.low + sides.high) / 2);
+        for (int k = 0; k < 3; ++k) {
+            box.axes.col(k) = axes.col(order[k]);
+            box.lengths[k] = lengths[order[k]];
+        }
+        if (box.axes.determinant() < 0) box.axes.col(2) *= -1;
+        return box;
+    }
+
+    [[nodiscard]] double fit(const OrientedBox& box) const {
+        const double width = std::sqrt(box.lengths[1] * box.lengths[2]);
+        if (!(width > 0)) return 1;
+        double sum = 0;
+        for (const std::int32_t t : triangles_) {
+            const Vec3 along = box.axes.transpose() * geometry_.normals[t];
+            const Vec3 place = box.axes.transpose() * (geometry_.barycentres[t] - box.centre);
+            double best = 0;
+            for (int k = 0; k < 3; ++k) {
+                const double sign = along[k] > 0 ? 1 : -1;
+                const double distance = std::abs(sign * place[k] - box.lengths[k] / 2);
+                const double angle = std::acos(std::min(1.0, std::abs(along[k]))) * 180 / std::numbers::pi;
+                best = std::max(best, near_wall(distance / width) * along_wall(angle));
+            }
+            sum += geometry_.areas[t] * best;
+        }
+        return sum / area_;
+    }
+
+    const TriangleGeometry& geometry_;
+    const std::vector<std::int32_t>& triangles_;
+    std::vector<Vec3> points_;
+    std::vector<Weighted> facing_;
+    double area_ = 0;
+};
+
+}  // namespace
+
+PartBox measure_part(const TriangleMesh& mesh, const TriangleGeometry& geometry,
+                     const std::vector<std::int32_t>& triangles) {
+    return Measurer(mesh, geometry, triangles).measure();
+}
+
+}  // namespace partonomy

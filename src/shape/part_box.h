@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "shape/find_parts.h"
+
+namespace partonomy {
+
+/// The box of a part and how well the part fills it. `triangles` must not be empty.
+struct PartBox {
+    OrientedBox box;
+    double fit = 1;
+};
+
+[[nodiscard]] PartBox measure_part(const TriangleMesh& mesh, const TriangleGeometry& geometry,
+                                   const std::vector<std::int32_t>& triangles);
+
+}  // namespace partonomy
