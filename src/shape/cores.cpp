@@ -35,7 +35,9 @@ const double crease_cosine = std::cos(30 * std::numbers::pi / 180);
 const double square_cosine = std::cos(35 * std::numbers::pi / 180);
 const double turn_cosine = std::cos(38 * std::numbers::pi / 180);
 constexpr double cell_area = 0.2;     // of thickness squared: as fine as cells get
-constexpr double fewest_cells = 24, most_cells = 600;
+constexpr double fewest_cells = 24;
+constexpr double triangles_a_cell = 25;  // on average, but at least and at most so many cells in all:
+constexpr double least_cells = 100, most_cells = 700;
 constexpr double odd_thickness = 1.8;
 constexpr double least_share = 1e-3;  // of the whole surface: less is no part
 
@@ -89,7 +91,11 @@ Solidity kind_of(double ratio, double reach) {
 class Divider {
 public:
     Divider(const Surface& surface, double total_area, bool bends, std::vector<std::int32_t>& cell_of)
-        : s_(surface), total_area_(total_area), bends_(bends), cell_of_(cell_of) {}
+        : s_(surface),
+          total_area_(total_area),
+          all_cells_(std::clamp(static_cast<double>(surface.count()) / triangles_a_cell, least_cells, most_cells)),
+          bends_(bends),
+          cell_of_(cell_of) {}
 
     void divide(const Core& component, std::vector<Core>& out) {
         sample(component);
@@ -109,7 +115,7 @@ private:
         cells_.clear();
         seeds_.clear();
         const double wanted = std::clamp(component.area / (cell_area * component.thickness * component.thickness), fewest_cells,
-                                         fewest_cells + most_cells * component.area / total_area_);
+                                         fewest_cells + all_cells_ * component.area / total_area_);
         const double step = component.area / wanted;
         double next = step / 2, sum = 0;
         for (const std::int32_t i : component.triangles) {
@@ -258,6 +264,7 @@ private:
 
     const Surface& s_;
     double total_area_;
+    double all_cells_;
     bool bends_;  ///< sticks are not parted where they turn
     std::vector<std::int32_t>& cell_of_;
     std::vector<Cell> cells_;

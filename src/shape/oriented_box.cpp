@@ -258,7 +258,7 @@ std::vector<Turned> starting_boxes(Search& search, const Points& points, std::si
 
 OrientedBox smallest_box(std::span<const Vec3> points) {
     if (points.empty()) throw std::invalid_argument("smallest_box needs at least one point.");
-    static const Points fixed = spread_directions(128);
+    static const Points fixed = spread_directions(60);
     std::vector<Eigen::Index> chosen;
     if (points.size() > 256) {
         chosen = extreme_points(points, fixed);
@@ -271,7 +271,7 @@ OrientedBox smallest_box(std::span<const Vec3> points) {
     if (!(size > 0)) return measured_box(points, Matrix3d::Identity());
 
     Search search(active, size);
-    std::vector<Turned> starts = starting_boxes(search, active, 6);
+    std::vector<Turned> starts = starting_boxes(search, active, 5);
     Turned best = starts.front();
     for (Turned& start : starts) {
         search.improve(start);

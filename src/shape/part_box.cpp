@@ -7,8 +7,8 @@
 // wall (the end of a leg that goes on as a seat) is where nearly all of the area ends.
 //
 // The fitting score of a triangle looks for the best of the six sides. Its distance d from the side's plane, relative to
-// the size of the part's cross-section w = sqrt(l1 l2), scores 1 up to d = 0.05 w and falls to 0 at d = 0.5 w; the angle
-// between its normal and the side's scores 1 up to 35 degrees and falls to 0 at 90. The score is the product; the fit is
+// the size of the part's cross-section w = sqrt(l1 l2), scores 1 up to d = 0.12 w and falls to 0 at d = 0.7 w; the angle
+// between its normal and the side's scores 1 up to 40 degrees and falls to 0 at 90. The score is the product; the fit is
 // the area-weighted mean over the part. A clean box scores 1, a round stick about 0.9, a ball about 0.7.
 
 #include "shape/part_box.h"
@@ -29,7 +29,7 @@ constexpr double hardly_farther = 0.02;
 constexpr double least_wall_share = 0.04;   // of the part's area: less facing one way is no wall
 constexpr double end_quantile = 0.995;
 const double facing_cosine = std::cos(40 * std::numbers::pi / 180);
-constexpr Trapezoid near_wall{0, 0, 0.1, 0.6};
+constexpr Trapezoid near_wall{0, 0, 0.12, 0.7};
 constexpr Trapezoid along_wall{0, 0, 40, 90};
 
 using Weighted = std::pair<double, double>;  // value, weight

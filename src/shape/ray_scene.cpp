@@ -22,10 +22,15 @@ namespace {
 constexpr int max_passed_walls = 64;  // a ray that passes more walls than this from outside is lost, not endless
 constexpr float self_distance = 1e-6F;  // of the mesh size: nearer hits of a ray that starts on a wall are that wall
 
+/// One device for the whole process: making one costs as much as the tree of a small mesh.
+RTCDevice device() {
+    static const RTCDevice shared = rtcNewDevice("threads=1,set_affinity=0");
+    return shared;
+}
+
 }  // namespace
 
 struct RayScene::Tree {
-    RTCDevice device = nullptr;
     RTCScene scene = nullptr;
     const TriangleMesh* mesh = nullptr;
     Vec3 centre = Vec3::Zero();
@@ -37,11 +42,10 @@ RayScene::RayScene(const TriangleMesh& mesh) : tree(std::make_unique<Tree>()) {
     tree->mesh = &mesh;
     tree->centre = (bounds.low + bounds.high) / 2;
     tree->scale = bounds.diagonal() > 0 ? 1 / bounds.diagonal() : 1;
-    tree->device = rtcNewDevice("threads=1,set_affinity=0");
-    tree->scene = rtcNewScene(tree->device);
+    tree->scene = rtcNewScene(device());
     rtcSetSceneFlags(tree->scene, RTC_SCENE_FLAG_ROBUST);
     rtcSetSceneBuildQuality(tree->scene, RTC_BUILD_QUALITY_MEDIUM);
-    RTCGeometry geometry = rtcNewGeometry(tree->device, RTC_GEOMETRY_TYPE_TRIANGLE);
+    RTCGeometry geometry = rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_TRIANGLE);
     auto* points = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                                                3 * sizeof(float), mesh.positions.size()));
     for (const Vec3& position : mesh.positions) {
@@ -60,7 +64,6 @@ RayScene::RayScene(const TriangleMesh& mesh) : tree(std::make_unique<Tree>()) {
 
 RayScene::~RayScene() {
     rtcReleaseScene(tree->scene);
-    rtcReleaseDevice(tree->device);
 }
 
 WallHit RayScene::exit_wall(const Vec3& origin, const Vec3& direction, std::int32_t self) const {
