@@ -35,6 +35,7 @@ const double crease_cosine = std::cos(30 * std::numbers::pi / 180);
 const double square_cosine = std::cos(35 * std::numbers::pi / 180);
 const double turn_cosine = std::cos(38 * std::numbers::pi / 180);
 constexpr double cell_area = 0.2;     // of thickness squared: as fine as cells get
+constexpr double least_agreement = 0.75;  // of directions around a cell, unless sticks meet there
 constexpr double fewest_cells = 24;
 constexpr double triangles_a_cell = 25;  // on average, but at least and at most so many cells in all:
 constexpr double least_cells = 100, most_cells = 700;
@@ -78,6 +79,7 @@ struct Cell {
     Vec3 along = Vec3::Zero();
     double area = 0;
     Solidity kind = Solidity::unknown;
+    bool is_junction = false;  ///< around it, sticks run in different directions
     std::vector<std::int32_t> neighbours;
 };
 
@@ -124,7 +126,7 @@ private:
             while (next <= sum) next += step;
             const Chords c = chords_around(s_, i);
             const double t = s_.thickness.distances[i];
-            cells_.push_back({c.narrow / t, c.wide / t, c.along, 0, Solidity::unknown, {}});
+            cells_.push_back({c.narrow / t, c.wide / t, c.along, 0, Solidity::unknown, false, {}});
             seeds_.push_back(i);
         }
     }
@@ -187,14 +189,17 @@ private:
             std::sort(reaches.begin(), reaches.end());
             smoothed[a].ratio = ratios[ratios.size() / 2];
             smoothed[a].reach = reaches[reaches.size() / 2];
-            smoothed[a].along = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(2);
+            const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(spread);
+            smoothed[a].along = eigen.eigenvectors().col(2);
             smoothed[a].kind = kind_of(smoothed[a].ratio, smoothed[a].reach);
+            smoothed[a].is_junction = smoothed[a].kind == Solidity::stick && !bends_ &&
+                                      eigen.eigenvalues()[2] < least_agreement * eigen.eigenvalues().sum();
         }
         cells_ = std::move(smoothed);
     }
 
     static bool same_part(const Cell& a, const Cell& b, bool bends) {
-        if (a.kind != b.kind) return false;
+        if (a.kind != b.kind || a.is_junction || b.is_junction) return false;
         return bends || a.kind != Solidity::stick || std::abs(a.along.dot(b.along)) > turn_cosine;
     }
 

@@ -27,6 +27,7 @@ namespace {
 
 constexpr double hardly_farther = 0.02;
 constexpr double least_wall_share = 0.04;   // of the part's area: less facing one way is no wall
+constexpr std::size_t most_samples = 3000;
 constexpr double end_quantile = 0.995;
 const double facing_cosine = std::cos(40 * std::numbers::pi / 180);
 constexpr Trapezoid near_wall{0, 0, 0.12, 0.7};
@@ -60,7 +61,12 @@ public:
         std::sort(corners.begin(), corners.end());
         corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
         for (const std::int32_t v : corners) points_.push_back(mesh.positions[v]);
-        for (const std::int32_t t : triangles) area_ += geometry.areas[t];
+        const std::size_t stride = 1 + triangles.size() / most_samples;
+        for (std::size_t k = 0; k < triangles.size(); ++k) {
+            area_ += geometry.areas[triangles[k]];
+            if (k % stride == 0) samples_.push_back(triangles[k]);
+        }
+        for (const std::int32_t t : samples_) sampled_area_ += geometry.areas[t];
     }
 
     PartBox measure() {
@@ -107,14 +113,14 @@ private:
     [[nodiscard]] double wall(const Vec3& direction) {
         facing_.clear();
         double facing_area = 0;
-        for (const std::int32_t t : triangles_)
+        for (const std::int32_t t : samples_)
             if (geometry_.normals[t].dot(direction) > facing_cosine) {
                 facing_.emplace_back(geometry_.barycentres[t].dot(direction), geometry_.areas[t]);
                 facing_area += geometry_.areas[t];
             }
-        if (facing_area >= least_wall_share * area_) return quantile(facing_, 0.5);
+        if (facing_area >= least_wall_share * sampled_area_) return quantile(facing_, 0.5);
         facing_.clear();
-        for (const std::int32_t t : triangles_)
+        for (const std::int32_t t : samples_)
             facing_.emplace_back(geometry_.barycentres[t].dot(direction), geometry_.areas[t]);
         return quantile(facing_, end_quantile);
     }
@@ -123,7 +129,7 @@ private:
     [[nodiscard]] Eigen::Matrix3d mean_axes(Eigen::Matrix3d axes) const {
         for (int round = 0; round < 5; ++round) {
             Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
-            for (const std::int32_t t : triangles_) {
+            for (const std::int32_t t : samples_) {
                 const Vec3 along = axes.transpose() * geometry_.normals[t];
                 Eigen::Index k = 0;
                 along.cwiseAbs().maxCoeff(&k);
@@ -166,8 +172,10 @@ private:
             for (int k = 0; k < 3; ++k) {
                 const double sign = along[k] > 0 ? 1 : -1;
                 const double distance = std::abs(sign * place[k] - box.lengths[k] / 2);
+                const double near = near_wall(distance / width);
+                if (near <= best) continue;
                 const double angle = std::acos(std::min(1.0, std::abs(along[k]))) * 180 / std::numbers::pi;
-                best = std::max(best, near_wall(distance / width) * along_wall(angle));
+                best = std::max(best, near * along_wall(angle));
             }
             sum += geometry_.areas[t] * best;
         }
@@ -176,9 +184,10 @@ private:
 
     const TriangleGeometry& geometry_;
     const std::vector<std::int32_t>& triangles_;
+    std::vector<std::int32_t> samples_;  ///< what walls are measured on: medians need no more
     std::vector<Vec3> points_;
     std::vector<Weighted> facing_;
-    double area_ = 0;
+    double area_ = 0, sampled_area_ = 0;
 };
 
 }  // namespace
