@@ -143,10 +143,10 @@ void absorb_rims(const Surface& s, const Vec3& up, Parts& parts) {
             if (rim.kind == Solidity::board || rim.triangles.empty() || rim.area > 0.25 * board.area) continue;
             double within = 0;
             for (const std::int32_t i : rim.triangles)
-                if (std::abs((s.geometry.barycentres[i] - plane.middle).dot(plane.normal)) < 2 * plane.half)
+                if (std::abs((s.geometry.barycentres[i] - plane.middle).dot(plane.normal)) < plane.half + rim.thickness)
                     within += s.geometry.areas[i];
-            if (within < 0.7 * rim.area) continue;
-            if (share_near(s, rim.triangles, board, 0.75 * (board.thickness + rim.thickness)) < 0.6) continue;
+            if (within < 0.8 * rim.area || std::abs(rim.axis.dot(plane.normal)) > 0.4) continue;
+            if (share_near(s, rim.triangles, board, 0.75 * (board.thickness + rim.thickness)) < 0.4) continue;
             for (const std::int32_t i : rim.triangles) parts.part_of[i] = -1;
             rim.triangles.clear();
             rim.area = 0;
