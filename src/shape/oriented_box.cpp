@@ -94,7 +94,7 @@ Rectangle smallest_rectangle(std::vector<Eigen::Vector2d>& points, double size) 
         const auto advance = [&](std::size_t& at, const Eigen::Vector2d& direction) {
             for (std::size_t steps = 0; steps < corners; ++steps) {
                 const std::size_t next = (at + 1) % corners;
-                if (hull[next].dot(direction) < hull[at].dot(direction)) break;
+                if (hull[next].dot(direction) < hull[at].dot(direction) - 1e-12 * size) break;
                 at = next;
             }
         };
@@ -143,7 +143,7 @@ public:
             const double before = box.volume;
             turn_exactly(box);
             turn_slightly(box);
-            if (box.volume > before * (1 - 1e-6)) break;
+            if (box.volume > before * (1 - 1e-8)) break;
         }
     }
 
@@ -159,7 +159,7 @@ public:
 
 private:
     void turn_slightly(Turned& box) {
-        for (double angle = 0.06; angle > 2e-4; angle /= 2.5)
+        for (double angle = 0.25; angle > 2e-5; angle /= 3)
             for (int axis = 0; axis < 3; ++axis)
                 for (const double sign : {1.0, -1.0}) {
                     const Matrix3d turn = Eigen::AngleAxisd(sign * angle, Vec3(box.axes.col(axis))).toRotationMatrix();
@@ -173,6 +173,8 @@ private:
     double size_;
     std::vector<Eigen::Vector2d> shadow_;
 };
+
+constexpr Eigen::Index most_points_for_triples = 8;
 
 /// Numbers of the points that are extreme along one of the directions, ascending.
 std::vector<Eigen::Index> extreme_points(std::span<const Vec3> points, const Points& directions) {
@@ -216,10 +218,36 @@ Points gather(std::span<const Vec3> points, const std::vector<Eigen::Index>& cho
     return gathered;
 }
 
-/// Principal axes of the points, each point counting once.
-Matrix3d principal_axes(const Points& points) {
+struct Principal {
+    Matrix3d axes;
+    Vec3 spreads;  ///< standard deviations, at least a thousandth of the largest
+};
+
+Principal principal_axes(const Points& points) {
     const Points centred = points.colwise() - Vec3(points.rowwise().mean());
-    return Eigen::SelfAdjointEigenSolver<Matrix3d>(centred * centred.transpose()).eigenvectors();
+    const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(centred * centred.transpose());
+    const Vec3 spreads = eigen.eigenvalues().cwiseMax(0.0).cwiseSqrt();
+    return {eigen.eigenvectors(), spreads.cwiseMax(1e-3 * spreads.maxCoeff())};
+}
+
+/// Fixed directions as they would be if the points were as wide as long: in flat or thin sets most of the hull looks along
+/// the short axes.
+Points fitted_directions(const Points& fixed, const Principal& principal) {
+    Points fitted = principal.axes * (principal.spreads.cwiseInverse().asDiagonal() * fixed);
+    fitted.colwise().normalize();
+    return fitted;
+}
+
+/// The three axes, and directions up to a tenth of a radian away from them.
+Points directions_near(const Matrix3d& axes) {
+    Points directions(3, 27);
+    int column = 0;
+    for (int k = 0; k < 3; ++k)
+        for (const double u : {-0.1, 0.0, 0.1})
+            for (const double v : {-0.1, 0.0, 0.1})
+                directions.col(column++) =
+                    (axes.col(k) + u * axes.col((k + 1) % 3) + v * axes.col((k + 2) % 3)).normalized();
+    return directions;
 }
 
 OrientedBox measured_box(std::span<const Vec3> points, const Matrix3d& axes) {
@@ -242,15 +270,36 @@ OrientedBox measured_box(std::span<const Vec3> points, const Matrix3d& axes) {
     return box;
 }
 
-/// The starts: boxes about fixed directions, principal axes and hull edges' planes; the best few, different ones.
+/// Whether two boxes lie nearly alike, whichever of their axes is called first.
+bool are_alike(const Matrix3d& a, const Matrix3d& b) {
+    const Matrix3d cosines = (a.transpose() * b).cwiseAbs();
+    return cosines.rowwise().maxCoeff().minCoeff() > 0.97;
+}
+
+/// The starts: boxes about the principal axes, fixed directions and, in small sets, across every triangle of points. The
+/// best ones, no two alike.
 std::vector<Turned> starting_boxes(Search& search, const Points& points, std::size_t wanted) {
+    std::vector<Turned> all;
+    const Principal principal = principal_axes(points);
+    for (int k = 0; k < 3; ++k) all.push_back(search.about(principal.axes.col(k)));
+    const Points fixed = spread_directions(40), fitted = fitted_directions(fixed, principal);
+    for (const Points& directions : {fixed, fitted})
+        for (Eigen::Index d = 0; d < directions.cols(); ++d) all.push_back(search.about(directions.col(d)));
+    if (points.cols() <= most_points_for_triples)
+        for (Eigen::Index i = 0; i < points.cols(); ++i)
+            for (Eigen::Index j = i + 1; j < points.cols(); ++j)
+                for (Eigen::Index k = j + 1; k < points.cols(); ++k) {
+                    const Vec3 p = points.col(i), u = points.col(j) - p, v = points.col(k) - p;
+                    const Vec3 normal = u.cross(v);
+                    if (normal.norm() > 1e-9 * u.norm() * v.norm()) all.push_back(search.about(normal.normalized()));
+                }
+    std::stable_sort(all.begin(), all.end(), [](const Turned& a, const Turned& b) { return a.volume < b.volume; });
     std::vector<Turned> starts;
-    const Matrix3d principal = principal_axes(points);
-    for (int k = 0; k < 3; ++k) starts.push_back(search.about(principal.col(k)));
-    const Points directions = spread_directions(points.cols() <= 64 ? 40 : 60);
-    for (Eigen::Index d = 0; d < directions.cols(); ++d) starts.push_back(search.about(directions.col(d)));
-    std::stable_sort(starts.begin(), starts.end(), [](const Turned& a, const Turned& b) { return a.volume < b.volume; });
-    starts.resize(std::min(starts.size(), wanted));
+    for (const Turned& box : all) {
+        if (std::any_of(starts.begin(), starts.end(), [&](const Turned& s) { return are_alike(s.axes, box.axes); })) continue;
+        starts.push_back(box);
+        if (starts.size() == wanted) break;
+    }
     return starts;
 }
 
@@ -258,10 +307,11 @@ std::vector<Turned> starting_boxes(Search& search, const Points& points, std::si
 
 OrientedBox smallest_box(std::span<const Vec3> points) {
     if (points.empty()) throw std::invalid_argument("smallest_box needs at least one point.");
-    static const Points fixed = spread_directions(60);
+    static const Points fixed = spread_directions(80);
     std::vector<Eigen::Index> chosen;
     if (points.size() > 256) {
-        chosen = extreme_points(points, fixed);
+        const Eigen::Map<const Points> all(points.data()->data(), 3, static_cast<Eigen::Index>(points.size()));
+        chosen = extreme_points(points, fitted_directions(fixed, principal_axes(all)));
     } else {
         chosen.resize(points.size());
         for (std::size_t i = 0; i < points.size(); ++i) chosen[i] = static_cast<Eigen::Index>(i);
@@ -270,24 +320,31 @@ OrientedBox smallest_box(std::span<const Vec3> points) {
     const double size = (active.rowwise().maxCoeff() - active.rowwise().minCoeff()).norm();
     if (!(size > 0)) return measured_box(points, Matrix3d::Identity());
 
-    Search search(active, size);
-    std::vector<Turned> starts = starting_boxes(search, active, 5);
-    Turned best = starts.front();
-    for (Turned& start : starts) {
-        search.improve(start);
-        if (start.volume < best.volume) best = start;
+    std::vector<Turned> boxes;
+    {
+        Search search(active, size);
+        boxes = starting_boxes(search, active, active.cols() <= most_points_for_triples ? 40 : 8);
+        for (Turned& box : boxes) search.improve(box);
     }
-    for (int round = 0; round < 4 && chosen.size() < points.size(); ++round) {
-        std::vector<Eigen::Index> more = extreme_points(points, best.axes);
-        const std::size_t before = chosen.size();
-        chosen.insert(chosen.end(), more.begin(), more.end());
-        std::sort(chosen.begin(), chosen.end());
-        chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
-        if (chosen.size() == before) break;
-        active = gather(points, chosen);
-        best.volume = padded_volume(extents(active, best.axes), size);
-        search.improve(best);
-    }
+    std::stable_sort(boxes.begin(), boxes.end(), [](const Turned& a, const Turned& b) { return a.volume < b.volume; });
+    if (chosen.size() == points.size()) return measured_box(points, boxes.front().axes);
+
+    // The points that were left out may stick out: those extreme along the box's axes, and along directions near them, join.
+    boxes.resize(std::min<std::size_t>(boxes.size(), 2));
+    for (Turned& box : boxes)
+        for (int round = 0; round < 3; ++round) {
+            const std::size_t before = chosen.size();
+            const std::vector<Eigen::Index> more = extreme_points(points, directions_near(box.axes));
+            chosen.insert(chosen.end(), more.begin(), more.end());
+            std::sort(chosen.begin(), chosen.end());
+            chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+            active = gather(points, chosen);
+            box.volume = padded_volume(extents(active, box.axes), size);
+            if (chosen.size() == before) break;
+            Search(active, size).improve(box);
+        }
+    const Turned& best = *std::min_element(boxes.begin(), boxes.end(),
+                                           [](const Turned& a, const Turned& b) { return a.volume < b.volume; });
     return measured_box(points, best.axes);
 }
 
