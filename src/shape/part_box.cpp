@@ -1,18 +1,21 @@
 // Box lengths that noise does not inflate, and the fitting score of paper §6.4.
 //
-// The smallest box gives the axes. Each of its six sides is then looked at as a wall: the triangles that face that way,
-// and the area-weighted median of how far out they are. Where the outermost point is hardly farther out than the wall (a
-// fiftieth of the length), the side stays where the smallest box has it, so clean parts keep the smallest box exactly.
-// Otherwise the part is noisy: the axes are turned to the mean normals of the walls, and the walls count. A side without a
-// wall (the end of a leg that goes on as a seat) is where nearly all of the area ends.
+// The smallest box gives the axes. The pair of its sides that most of the part faces tells how rough the part is: how
+// far the triangles that face these sides lie from a plane through them, on average. A part that is flat there (a
+// two-hundredth of the length) keeps the smallest box exactly, whatever its outline: a triangular board has slanted
+// sides, no noise. Otherwise each side is looked at as a wall: the triangles that face that way, and the area-weighted
+// median of how far out they are. Where the outermost point is hardly farther out than the wall (a fiftieth of the
+// length), the side stays; else the axes are turned to the mean normals of the walls, and the walls count. A side
+// without a wall (the end of a leg that goes on as a seat) is where nearly all of the area ends.
 //
-// The fitting score of a triangle looks for the best of the six sides. Its distance d from the side's plane, relative to
-// the size of the part's cross-section w = sqrt(l1 l2), scores 1 up to d = 0.12 w and falls to 0 at d = 0.7 w; the angle
-// between its normal and the side's scores 1 up to 40 degrees and falls to 0 at 90. The score is the product; the fit is
-// the area-weighted mean over the part. A clean box scores 1, a round stick about 0.9, a ball about 0.7.
+// The fitting score of a triangle looks for the best of the six sides. Its distance d from the side's plane, relative
+// to the size of the part's cross-section w = sqrt(l1 l2), scores 1 up to d = 0.12 w and falls to 0 at d = 0.7 w; the
+// angle between its normal and the side's scores 1 up to 40 degrees and falls to 0 at 90. The score is the product; the
+// fit is the area-weighted mean over the part. A clean box scores 1, a round stick about 0.9, a ball about 0.7.
 
 #include "shape/part_box.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -25,8 +28,9 @@ namespace partonomy {
 
 namespace {
 
+constexpr double hardly_rough = 0.005;
 constexpr double hardly_farther = 0.02;
-constexpr double least_wall_share = 0.04;   // of the part's area: less facing one way is no wall
+constexpr double least_wall_share = 0.04;  // of the part's area: less facing one way is no wall
 constexpr std::size_t most_samples = 3000;
 constexpr double end_quantile = 0.995;
 const double facing_cosine = std::cos(40 * std::numbers::pi / 180);
@@ -46,8 +50,27 @@ double quantile(std::vector<Weighted>& values, double share) {
 }
 
 struct Sides {
-    Vec3 low, high;   ///< along the three axes
+    Vec3 low, high;  ///< along the three axes
     bool is_noisy = false;
+};
+
+/// Points with weights, and how far they lie from the plane that fits them best.
+struct Patch {
+    double area = 0;
+    Vec3 sum = Vec3::Zero();
+    Eigen::Matrix3d products = Eigen::Matrix3d::Zero();
+    void add(const Vec3& point, double weight) {
+        area += weight;
+        sum += weight * point;
+        products += weight * point * point.transpose();
+    }
+    [[nodiscard]] double variance() const {
+        if (!(area > 0)) return 0;
+        const Vec3 mean = sum / area;
+        const Eigen::Matrix3d covariance = products / area - mean * mean.transpose();
+        return std::max(
+            0.0, Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance, Eigen::EigenvaluesOnly).eigenvalues()[0]);
+    }
 };
 
 class Measurer {
@@ -74,6 +97,7 @@ public:
         const Vec3 middle = box.axes.transpose() * box.centre;
         Sides outer{middle - box.lengths / 2, middle + box.lengths / 2};
         if (!(area_ > 0)) return {box, 1};
+        if (!is_rough(box.axes, outer)) return {box, fit(box)};
         Sides sides = walls(box.axes, outer);
         if (sides.is_noisy) {
             const Eigen::Matrix3d axes = mean_axes(box.axes);
@@ -93,6 +117,24 @@ private:
             sides.high = sides.high.cwiseMax(p);
         }
         return sides;
+    }
+
+    /// Whether the two walls that most of the part faces are no planes.
+    [[nodiscard]] bool is_rough(const Eigen::Matrix3d& axes, const Sides& outer) const {
+        std::array<Patch, 6> patches;
+        for (const std::int32_t t : samples_)
+            for (int side = 0; side < 6; ++side)
+                if ((side % 2 == 0 ? 1 : -1) * geometry_.normals[t].dot(axes.col(side / 2)) > facing_cosine)
+                    patches[side].add(geometry_.barycentres[t] - points_.front(), geometry_.areas[t]);
+        int most = 0;
+        for (const int k : {1, 2})
+            if (patches[2 * k].area + patches[2 * k + 1].area > patches[2 * most].area + patches[2 * most + 1].area)
+                most = k;
+        const Patch &front = patches[2 * most], &back = patches[2 * most + 1];
+        const double area = front.area + back.area;
+        if (!(area > 0)) return false;
+        const double variance = (front.area * front.variance() + back.area * back.variance()) / area;
+        return std::sqrt(variance) > hardly_rough * (outer.high[most] - outer.low[most]);
     }
 
     [[nodiscard]] Sides walls(const Eigen::Matrix3d& axes, const Sides& outer) {
