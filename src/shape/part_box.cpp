@@ -34,6 +34,7 @@ constexpr double least_wall_share = 0.04;  // of the part's area: less facing on
 constexpr std::size_t most_samples = 3000;
 constexpr double end_quantile = 0.995;
 const double facing_cosine = std::cos(40 * std::numbers::pi / 180);
+const double slanted_cosine = std::cos(15 * std::numbers::pi / 180);
 constexpr Trapezoid near_wall{0, 0, 0.12, 0.7};
 constexpr Trapezoid along_wall{0, 0, 40, 90};
 
@@ -64,12 +65,18 @@ struct Patch {
         sum += weight * point;
         products += weight * point * point.transpose();
     }
-    [[nodiscard]] double variance() const {
-        if (!(area > 0)) return 0;
+    [[nodiscard]] double variance() const { return area > 0 ? std::max(0.0, solve().eigenvalues()[0]) : 0; }
+    /// Whether the plane is clearly no wall across `direction`.
+    [[nodiscard]] bool is_slanted(const Vec3& direction) const {
+        const auto solution = solve();
+        const bool is_plane = solution.eigenvalues()[1] > 9 * solution.eigenvalues()[0];
+        return is_plane && std::abs(solution.eigenvectors().col(0).dot(direction)) < slanted_cosine;
+    }
+
+private:
+    [[nodiscard]] Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solve() const {
         const Vec3 mean = sum / area;
-        const Eigen::Matrix3d covariance = products / area - mean * mean.transpose();
-        return std::max(
-            0.0, Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance, Eigen::EigenvaluesOnly).eigenvalues()[0]);
+        return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(products / area - mean * mean.transpose());
     }
 };
 
@@ -141,8 +148,8 @@ private:
         Sides sides = outer;
         for (int k = 0; k < 3; ++k)
             for (const int sign : {-1, 1}) {
-                const double place = wall(sign * axes.col(k));
                 double& side = sign > 0 ? sides.high[k] : sides.low[k];
+                const double place = wall(sign * axes.col(k), sign * side);
                 if (std::abs(side - sign * place) > hardly_farther * (outer.high[k] - outer.low[k])) {
                     side = sign * place;
                     sides.is_noisy = true;
@@ -151,16 +158,18 @@ private:
         return sides;
     }
 
-    /// How far out the wall is that faces `direction`.
-    [[nodiscard]] double wall(const Vec3& direction) {
+    /// How far out the wall is that faces `direction`; `outermost` when the wall is slanted, for then its far end
+    /// counts.
+    [[nodiscard]] double wall(const Vec3& direction, double outermost) {
         facing_.clear();
-        double facing_area = 0;
+        Patch patch;
         for (const std::int32_t t : samples_)
             if (geometry_.normals[t].dot(direction) > facing_cosine) {
                 facing_.emplace_back(geometry_.barycentres[t].dot(direction), geometry_.areas[t]);
-                facing_area += geometry_.areas[t];
+                patch.add(geometry_.barycentres[t] - points_.front(), geometry_.areas[t]);
             }
-        if (facing_area >= least_wall_share * sampled_area_) return quantile(facing_, 0.5);
+        if (patch.area >= least_wall_share * sampled_area_)
+            return patch.is_slanted(direction) ? outermost : quantile(facing_, 0.5);
         facing_.clear();
         for (const std::int32_t t : samples_)
             facing_.emplace_back(geometry_.barycentres[t].dot(direction), geometry_.areas[t]);
