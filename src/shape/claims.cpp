@@ -1,3 +1,15 @@
+// What boards take beyond their cores, and what they cut.
+//
+// The rim of a board is neither wall nor core. A triangle is on the rim when from just below it both walls of the board
+// are met, to both sides, on a way not much longer than the board is thick: the virtual facet of paper §6.4, asked with
+// two rays. The test holds under noise, and it may take triangles from a much thicker part that grew over the rim.
+// Beyond that, free triangles between the continued walls belong to the board: the hole in a seat's top side above a
+// leg, the corner above a flush leg. How far that may go depends on how true the walls are: without limit between two
+// exact planes, four thicknesses otherwise. Level boards come before upright ones and large before small, so a seat
+// keeps its corners.
+//
+// Boards that are exact planes give back what strayed into their core. Cost: O(n) and two rays per rim triangle.
+
 #include "shape/claims.h"
 
 #include <Eigen/Eigenvalues>
@@ -43,7 +55,8 @@ PlaneFit fit_plane_to(const Surface& s, const std::vector<std::int32_t>& triangl
         spread += s.geometry.areas[i] * d * d.transpose();
     }
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(spread);
-    return {{centre, eigen.eigenvectors().col(0), half / area}, std::sqrt(std::max(0.0, eigen.eigenvalues()[0]) / area)};
+    return {{centre, eigen.eigenvectors().col(0), half / area},
+            std::sqrt(std::max(0.0, eigen.eigenvalues()[0]) / area)};
 }
 
 /// The middle plane of a board's core; triangles that stray from it are left out while most of the core agrees.
@@ -181,8 +194,8 @@ void cut_at_boards(const Surface& s, const Vec3& up, Parts& parts) {
 
 namespace {
 
-/// Whether the triangle is on the rim of a board: from a point just below it, the board's two walls are met to both sides
-/// before a way longer than the board is thick.
+/// Whether the triangle is on the rim of a board: from a point just below it, the board's two walls are met to both
+/// sides before a way longer than the board is thick.
 bool on_rim(const Surface& s, const Parts& parts, std::int32_t board, const Frame& f, std::int32_t i) {
     if (std::abs(s.normals[i].dot(f.normal)) > 0.8) return false;
     const Vec3 inside = s.geometry.barycentres[i] - s.normals[i] * (0.5 * f.half);
@@ -242,8 +255,8 @@ private:
         float beyond = 0;
         if (!on_rim(s_, parts_, board_, f, j)) {
             if (!free) return;
-            beyond = beyond_[from] +
-                     static_cast<float>((s_.geometry.barycentres[j] - s_.geometry.barycentres[from]).norm());
+            beyond =
+                beyond_[from] + static_cast<float>((s_.geometry.barycentres[j] - s_.geometry.barycentres[from]).norm());
             if (!exact_ && beyond > reach * parts_.parts[board_].thickness) return;
             const Vec3 way = s_.geometry.barycentres[j] - s_.geometry.barycentres[from];
             const bool concave = way.dot(s_.normals[from]) > 0;

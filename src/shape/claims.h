@@ -9,7 +9,7 @@ namespace partonomy {
 
 /// A partition in the making: per fine triangle the number of its part, or -1.
 struct Parts {
-    std::vector<Core> parts;            ///< `triangles` are those of the core only
+    std::vector<Core> parts;  ///< `triangles` are those of the core only
     std::vector<std::int32_t> part_of;
 };
 

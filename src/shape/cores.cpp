@@ -1,7 +1,28 @@
+// The sure part of each part.
+//
+// Idea: two triangles belong together when they are walls of the same thickness side by side, or opposite each other. A
+// triangle is a wall when its inward ray meets a triangle that looks the other way. Neighbouring walls of alike
+// thickness are joined unless a concave crease runs between them, and each is joined with its opposite; connected sets
+// are found by union-find, so no seed and no order is involved. At a joint of two parts the ray runs into the other
+// part, so the thickness jumps and the set ends by itself. What remains is taken apart in a second way:
+//
+// A set may still be a comb: back posts as thick as the backrest they carry. Sampled triangles therefore look around
+// from the middle between their two walls, along the walls: a stick is as narrow as thick, a board wider than twice its
+// thickness, and where it is far narrower than thick the walls are the two ends of something thin (the rim of a seat
+// faces the other rim across the whole seat) and no core. The samples' surroundings (cells) vote with their neighbours,
+// and a set is cut between board and stick and where sticks of different directions meet.
+//
+// Sticks with three sides have no parallel walls; a second, more generous search among what is left finds them.
+//
+// Departures from paper §6.4: no seeds by ascending thickness and no planes that are refitted, since neither bent
+// boards nor round sticks have planes; tried first were region growing from seeds (depends on the order of faces) and
+// thickness bands without looking around (glues posts to backrests). Cost: O(n) and at most 700 x 16 rays beyond the
+// one per triangle.
+
 #include "shape/cores.h"
 
-#include <Eigen/Geometry>
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -34,7 +55,7 @@ const double slanted_cosine = std::cos(65 * std::numbers::pi / 180);
 const double crease_cosine = std::cos(30 * std::numbers::pi / 180);
 const double square_cosine = std::cos(35 * std::numbers::pi / 180);
 const double turn_cosine = std::cos(38 * std::numbers::pi / 180);
-constexpr double cell_area = 0.2;     // of thickness squared: as fine as cells get
+constexpr double cell_area = 0.2;         // of thickness squared: as fine as cells get
 constexpr double least_agreement = 0.75;  // of directions around a cell, unless sticks meet there
 constexpr double fewest_cells = 24;
 constexpr double triangles_a_cell = 25;  // on average, but at least and at most so many cells in all:
@@ -49,7 +70,8 @@ struct Chords {
     Vec3 along = Vec3::Zero();
 };
 
-/// Only ways that meet both walls squarely tell a width: near a corner of a board the diagonal is short and means nothing.
+/// Only ways that meet both walls squarely tell a width: near a corner of a board the diagonal is short and means
+/// nothing.
 Chords chords_around(const Surface& s, std::int32_t t) {
     const Vec3 n = s.normals[t];
     const Vec3 middle = s.geometry.barycentres[t] - n * (s.thickness.distances[t] / 2);
@@ -116,8 +138,8 @@ private:
     void sample(const Core& component) {
         cells_.clear();
         seeds_.clear();
-        const double wanted = std::clamp(component.area / (cell_area * component.thickness * component.thickness), fewest_cells,
-                                         fewest_cells + all_cells_ * component.area / total_area_);
+        const double wanted = std::clamp(component.area / (cell_area * component.thickness * component.thickness),
+                                         fewest_cells, fewest_cells + all_cells_ * component.area / total_area_);
         const double step = component.area / wanted;
         double next = step / 2, sum = 0;
         for (const std::int32_t i : component.triangles) {
@@ -207,7 +229,8 @@ private:
     void absorb_small(Sets& sets, const Core& component) {
         for (int round = 0; round < 4; ++round) {
             std::vector<double> area(cells_.size());
-            for (std::size_t a = 0; a < cells_.size(); ++a) area[sets.find(static_cast<std::int32_t>(a))] += cells_[a].area;
+            for (std::size_t a = 0; a < cells_.size(); ++a)
+                area[sets.find(static_cast<std::int32_t>(a))] += cells_[a].area;
             std::vector<std::int32_t> into(cells_.size(), -1);
             std::vector<std::vector<std::pair<std::int32_t, int>>> borders(cells_.size());
             for (std::size_t a = 0; a < cells_.size(); ++a) {
@@ -225,9 +248,10 @@ private:
             bool changed = false;
             for (std::size_t a = 0; a < cells_.size(); ++a) {
                 if (borders[a].empty()) continue;
-                const auto best = std::max_element(borders[a].begin(), borders[a].end(), [&](const auto& x, const auto& y) {
-                    return x.second != y.second ? x.second < y.second : area[x.first] < area[y.first];
-                });
+                const auto best =
+                    std::max_element(borders[a].begin(), borders[a].end(), [&](const auto& x, const auto& y) {
+                        return x.second != y.second ? x.second < y.second : area[x.first] < area[y.first];
+                    });
                 sets.join(static_cast<std::int32_t>(a), best->first);
                 changed = true;
             }
@@ -291,7 +315,8 @@ struct Likeness {
     double thickness_step;  ///< largest ratio of thicknesses from a triangle to the next
 };
 
-/// Connected sets of free triangles that are walls of alike thickness, each with its opposite wall; concave creases part.
+/// Connected sets of free triangles that are walls of alike thickness, each with its opposite wall; concave creases
+/// part.
 std::vector<Core> find_components(const Surface& s, const std::vector<char>& taken, const Likeness& like) {
     const std::size_t count = s.count();
     const auto& t = s.thickness.distances;
@@ -336,9 +361,8 @@ std::vector<Core> find_components(const Surface& s, const std::vector<char>& tak
 void drop_odd_thickness(const Surface& s, Core& component) {
     const auto low = static_cast<float>(component.thickness / odd_thickness);
     const auto high = static_cast<float>(component.thickness * odd_thickness);
-    std::erase_if(component.triangles, [&](std::int32_t i) {
-        return s.thickness.distances[i] < low || s.thickness.distances[i] > high;
-    });
+    std::erase_if(component.triangles,
+                  [&](std::int32_t i) { return s.thickness.distances[i] < low || s.thickness.distances[i] > high; });
     component.area = 0;
     for (const std::int32_t i : component.triangles) component.area += s.geometry.areas[i];
 }

@@ -14,11 +14,11 @@ enum class Solidity : std::uint8_t { unknown, board, stick, cube };
 struct Core {
     std::vector<std::int32_t> triangles;  ///< ascending
     Solidity kind = Solidity::unknown;
-    double thickness = 0;                 ///< median distance between its walls
-    Vec3 normal = Vec3::Zero();           ///< across the walls (board)
-    Vec3 axis = Vec3::Zero();             ///< along the stick
+    double thickness = 0;        ///< median distance between its walls
+    Vec3 normal = Vec3::Zero();  ///< across the walls (board)
+    Vec3 axis = Vec3::Zero();    ///< along the stick
     double area = 0;
-    bool is_exact = false;                ///< a board between two true planes: `middle`, `normal` and `half` tell which
+    bool is_exact = false;  ///< a board between two true planes: `middle`, `normal` and `half` tell which
     Vec3 middle = Vec3::Zero();
     double half = 0;
 };

@@ -1,3 +1,10 @@
+// Who gets what is left: fillets, the ends of legs, small bits between parts.
+//
+// All parts grow over the free triangles at once, along the surface, nearest first (Dijkstra). A step over a concave
+// bend is long, in proportion to the part's thickness, and longer for sticks than for boards: a fillet between a leg
+// and a seat is thus the seat's, as people draw it. Between exact planes a board hardly grows out of its slab along a
+// flat face. Ties go by triangle number. Cost: O(m log m) for m free triangles.
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -36,7 +43,8 @@ void fill(const Surface& s, Parts& parts) {
             const double factor = parts.parts[part].kind == Solidity::stick ? stick_crease : board_crease;
             const double crease = concave ? factor * turn * parts.parts[part].thickness : 0;
             const double u = (s.geometry.barycentres[j] - parts.parts[part].middle).dot(parts.parts[part].normal);
-            const bool outside = parts.parts[part].is_exact && turn < flat_turn && std::abs(u) > 1.05 * parts.parts[part].half;
+            const bool outside =
+                parts.parts[part].is_exact && turn < flat_turn && std::abs(u) > 1.05 * parts.parts[part].half;
             queue.push({cost + (outside ? outside_exact : 1) * way.norm() + crease, j, part});
         }
     };

@@ -1,8 +1,8 @@
 // Cutting a mesh into boards, sticks and cubes: `find all` of paper §6.4, taken on to real shapes.
 //
-// The paper grows two planes from a triangle and its opposite, adds the lateral surface, and judges the box. We keep its
-// idea (a part is what lies between two walls that face each other) and its single inward ray per triangle, but let all
-// parts grow at once, on measurements that are local, so that bent boards and round sticks are in scope:
+// The paper grows two planes from a triangle and its opposite, adds the lateral surface, and judges the box. We keep
+// its idea (a part is what lies between two walls that face each other) and its single inward ray per triangle, but let
+// all parts grow at once, on measurements that are local, so that bent boards and round sticks are in scope:
 //
 //   refine     large triangles are cut, so that a CAD mesh and a scan look alike (refine.cpp)
 //   rays       the distance to the opposite wall of each triangle (thickness.cpp)
@@ -14,8 +14,8 @@
 //   vote       each triangle of the caller goes to the part that holds most of its area; regions are made connected
 //   boxes      smallest boxes with lengths that noise does not inflate, fitting scores (part_box.cpp)
 //
-// No step looks at a length that is not relative to a thickness or to the whole. `up` is used once: where a level and an
-// upright board are flush, the corner belongs to the level one.
+// No step looks at a length that is not relative to a thickness or to the whole. `up` is used once: where a level and
+// an upright board are flush, the corner belongs to the level one.
 //
 // Cost: O(n log n) for n triangles; most of it is Embree's tree and the rays.
 
@@ -119,7 +119,8 @@ void connect(const TriangleMesh& mesh, const Adjacency& adjacency, const Triangl
                     if (j < 0 || before[j] < 0 || before[j] == part) continue;
                     const auto& corners = mesh.triangles[i];
                     const double length = (mesh.positions[corners[e]] - mesh.positions[corners[(e + 1) % 3]]).norm();
-                    auto at = std::find_if(borders.begin(), borders.end(), [&](const auto& x) { return x.first == before[j]; });
+                    auto at = std::find_if(borders.begin(), borders.end(),
+                                           [&](const auto& x) { return x.first == before[j]; });
                     if (at == borders.end()) at = borders.insert(at, {before[j], 0.0});
                     at->second += length;
                 }

@@ -13,8 +13,8 @@ namespace partonomy {
 /// do not inflate them (each length is measured between the fitted walls, not between the extreme points).
 struct PartRegion {
     Region region;
-    OrientedBox box;    ///< axes of the smallest box, lengths robust against noise
-    double fit = 1;     ///< mean fitting score of the triangles, in [0, 1] (paper §6.4, Table 4)
+    OrientedBox box;  ///< axes of the smallest box, lengths robust against noise
+    double fit = 1;   ///< mean fitting score of the triangles, in [0, 1] (paper §6.4, Table 4)
 };
 
 struct FindPartsOptions {

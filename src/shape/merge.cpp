@@ -1,3 +1,9 @@
+// Parts that are one after all.
+//
+// A part that faces another one for a good deal of its area lies across it in the same solid: two walls of one leg. And
+// two sticks in one line that pass into each other over most of their common border, without a concave crease, are one.
+// Cost: O(n) a round; a round joins at least one pair.
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>

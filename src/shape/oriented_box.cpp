@@ -1,15 +1,16 @@
 // The smallest oriented box, by exact rectangles in many planes.
 //
-// Idea: when one axis of the box is known, the other two follow exactly: the smallest rectangle around the points' shadow in
-// the plane across it (2D hull, then one side of the rectangle lies on a hull edge). So a box is improved by turning it
-// about each of its axes in turn to the exact best angle, until nothing is gained. O'Rourke (1985) shows that the optimum has
-// two neighbouring faces flush with hull edges; the turning reaches such boxes from starts near enough, so many starts
-// are tried: fixed directions spread over the sphere, the principal axes and the normals of large hull triangles. Small turns
-// about all three axes then settle what single turns cannot reach.
+// Idea: when one axis of the box is known, the other two follow exactly: the smallest rectangle around the points'
+// shadow in the plane across it (2D hull, then one side of the rectangle lies on a hull edge). So a box is improved by
+// turning it about each of its axes in turn to the exact best angle, until nothing is gained. O'Rourke (1985) shows
+// that the optimum has two neighbouring faces flush with hull edges; the turning reaches such boxes from starts near
+// enough, so many starts are tried: fixed directions spread over the sphere, the principal axes and the normals of
+// large hull triangles. Small turns about all three axes then settle what single turns cannot reach.
 //
-// Cost: only the points that are extreme along one of the fixed directions take part (a few hundred at most); all points
-// are measured against the result, those that stick out join, and the last steps are repeated. So the box holds every
-// point, and n enters linearly. PCA alone was left: on the cube of the paper's Fig. 16 its box is 3 times too large.
+// Cost: only the points that are extreme along one of the fixed directions take part (a few hundred at most); all
+// points are measured against the result, those that stick out join, and the last steps are repeated. So the box holds
+// every point, and n enters linearly. PCA alone was left: on the cube of the paper's Fig. 16 its box is 3 times too
+// large.
 
 #include "shape/oriented_box.h"
 
@@ -138,12 +139,12 @@ public:
     }
 
     /// Turns about single axes to the exact optimum, then small turns about all, until neither gains.
-    void improve(Turned& box) {
+    void improve(Turned& box, double least_gain) {
         for (int round = 0; round < 20; ++round) {
             const double before = box.volume;
             turn_exactly(box);
             turn_slightly(box);
-            if (box.volume > before * (1 - 1e-8)) break;
+            if (box.volume > before * (1 - least_gain)) break;
         }
     }
 
@@ -175,6 +176,8 @@ private:
 };
 
 constexpr Eigen::Index most_points_for_triples = 8;
+constexpr double second_chance = 1.01;  // a second box this near in volume may turn out to be the smaller one
+constexpr double rough_gain = 0.02, fine_gain = 1e-7;  // a round of turning that gains less is the last
 
 /// Numbers of the points that are extreme along one of the directions, ascending.
 std::vector<Eigen::Index> extreme_points(std::span<const Vec3> points, const Points& directions) {
@@ -183,7 +186,8 @@ std::vector<Eigen::Index> extreme_points(std::span<const Vec3> points, const Poi
     const Eigen::Map<const Points> all(points.data()->data(), 3, n);
     constexpr Eigen::Index block = 256;
     const Eigen::Index directions_count = directions.cols();
-    Eigen::VectorXd low = Eigen::VectorXd::Constant(directions_count, std::numeric_limits<double>::infinity()), high = -low;
+    Eigen::VectorXd low = Eigen::VectorXd::Constant(directions_count, std::numeric_limits<double>::infinity()),
+                    high = -low;
     std::vector<Eigen::Index> lowest(static_cast<std::size_t>(directions_count)), highest = lowest;
     Eigen::MatrixXd along;
     for (Eigen::Index start = 0; start < n; start += block) {
@@ -230,8 +234,8 @@ Principal principal_axes(const Points& points) {
     return {eigen.eigenvectors(), spreads.cwiseMax(1e-3 * spreads.maxCoeff())};
 }
 
-/// Fixed directions as they would be if the points were as wide as long: in flat or thin sets most of the hull looks along
-/// the short axes.
+/// Fixed directions as they would be if the points were as wide as long: in flat or thin sets most of the hull looks
+/// along the short axes.
 Points fitted_directions(const Points& fixed, const Principal& principal) {
     Points fitted = principal.axes * (principal.spreads.cwiseInverse().asDiagonal() * fixed);
     fitted.colwise().normalize();
@@ -276,8 +280,8 @@ bool are_alike(const Matrix3d& a, const Matrix3d& b) {
     return cosines.rowwise().maxCoeff().minCoeff() > 0.97;
 }
 
-/// The starts: boxes about the principal axes, fixed directions and, in small sets, across every triangle of points. The
-/// best ones, no two alike.
+/// The starts: boxes about the principal axes, fixed directions and, in small sets, across every triangle of points.
+/// The best ones, no two alike.
 std::vector<Turned> starting_boxes(Search& search, const Points& points, std::size_t wanted) {
     std::vector<Turned> all;
     const Principal principal = principal_axes(points);
@@ -296,7 +300,8 @@ std::vector<Turned> starting_boxes(Search& search, const Points& points, std::si
     std::stable_sort(all.begin(), all.end(), [](const Turned& a, const Turned& b) { return a.volume < b.volume; });
     std::vector<Turned> starts;
     for (const Turned& box : all) {
-        if (std::any_of(starts.begin(), starts.end(), [&](const Turned& s) { return are_alike(s.axes, box.axes); })) continue;
+        if (std::any_of(starts.begin(), starts.end(), [&](const Turned& s) { return are_alike(s.axes, box.axes); }))
+            continue;
         starts.push_back(box);
         if (starts.size() == wanted) break;
     }
@@ -323,16 +328,25 @@ OrientedBox smallest_box(std::span<const Vec3> points) {
     std::vector<Turned> boxes;
     {
         Search search(active, size);
-        boxes = starting_boxes(search, active, active.cols() <= most_points_for_triples ? 40 : 8);
-        for (Turned& box : boxes) search.improve(box);
+        boxes = starting_boxes(search, active, active.cols() <= most_points_for_triples ? 24 : 8);
+        const auto smaller = [](const Turned& a, const Turned& b) { return a.volume < b.volume; };
+        for (Turned& box : boxes) search.improve(box, rough_gain);
+        std::stable_sort(boxes.begin(), boxes.end(), smaller);
+        boxes.resize(std::min<std::size_t>(boxes.size(), 3));
+        for (Turned& box : boxes) search.improve(box, fine_gain);
+        std::stable_sort(boxes.begin(), boxes.end(), smaller);
     }
-    std::stable_sort(boxes.begin(), boxes.end(), [](const Turned& a, const Turned& b) { return a.volume < b.volume; });
     if (chosen.size() == points.size()) return measured_box(points, boxes.front().axes);
 
-    // The points that were left out may stick out: those extreme along the box's axes, and along directions near them, join.
-    boxes.resize(std::min<std::size_t>(boxes.size(), 2));
+    // The points that were left out may stick out: those extreme along the box's axes, and along directions near them,
+    // join.
+    boxes.resize(boxes.size() > 1 && boxes[1].volume < second_chance * boxes[0].volume ? 2 : 1);
     for (Turned& box : boxes)
         for (int round = 0; round < 3; ++round) {
+            const double whole = padded_volume(measured_box(points, box.axes).lengths, size);
+            const bool holds_all = whole <= box.volume * (1 + 1e-9);
+            box.volume = whole;
+            if (holds_all) break;
             const std::size_t before = chosen.size();
             const std::vector<Eigen::Index> more = extreme_points(points, directions_near(box.axes));
             chosen.insert(chosen.end(), more.begin(), more.end());
@@ -341,7 +355,7 @@ OrientedBox smallest_box(std::span<const Vec3> points) {
             active = gather(points, chosen);
             box.volume = padded_volume(extents(active, box.axes), size);
             if (chosen.size() == before) break;
-            Search(active, size).improve(box);
+            Search(active, size).improve(box, fine_gain);
         }
     const Turned& best = *std::min_element(boxes.begin(), boxes.end(),
                                            [](const Turned& a, const Turned& b) { return a.volume < b.volume; });

@@ -15,8 +15,8 @@ struct OrientedBox {
     [[nodiscard]] double volume() const { return lengths.prod(); }
 };
 
-/// The smallest oriented box that holds all points, as found by a deterministic search. The points need not be on a hull;
-/// one point or a flat set gives zero lengths. Throws std::invalid_argument when `points` is empty.
+/// The smallest oriented box that holds all points, as found by a deterministic search. The points need not be on a
+/// hull; one point or a flat set gives zero lengths. Throws std::invalid_argument when `points` is empty.
 [[nodiscard]] OrientedBox smallest_box(std::span<const Vec3> points);
 
 }  // namespace partonomy

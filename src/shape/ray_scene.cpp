@@ -1,17 +1,16 @@
 // Rays inside the solid, by Embree.
 //
-// Embree works in single precision, so the mesh is moved to the middle of its bounding box and scaled to unit size first;
-// the distance of a hit is computed again in double precision from the plane of the triangle that was met. Rays that meet a
-// wall from its outer side (shells that overlap, or the surface next to the start when normals are smoothed) go on behind
-// it. A tree of medium quality is what "build + one ray per triangle" costs least with: on 75,520 triangles the low
-// quality saves 10 ms of building and loses it again in rays.
+// Embree works in single precision, so the mesh is moved to the middle of its bounding box and scaled to unit size
+// first; the distance of a hit is computed again in double precision from the plane of the triangle that was met. Rays
+// that meet a wall from its outer side (shells that overlap, or the surface next to the start when normals are
+// smoothed) go on behind it. A tree of medium quality is what "build + one ray per triangle" costs least with: on
+// 75,520 triangles the low quality saves 10 ms of building and loses it again in rays.
 
 #include "shape/ray_scene.h"
 
 #include <embree3/rtcore.h>
 
 #include <Eigen/Geometry>
-
 #include <cmath>
 #include <limits>
 
@@ -19,7 +18,7 @@ namespace partonomy {
 
 namespace {
 
-constexpr int max_passed_walls = 64;  // a ray that passes more walls than this from outside is lost, not endless
+constexpr int max_passed_walls = 64;    // a ray that passes more walls than this from outside is lost, not endless
 constexpr float self_distance = 1e-6F;  // of the mesh size: nearer hits of a ray that starts on a wall are that wall
 
 /// One device for the whole process: making one costs as much as the tree of a small mesh.
@@ -62,9 +61,7 @@ RayScene::RayScene(const TriangleMesh& mesh) : tree(std::make_unique<Tree>()) {
     rtcCommitScene(tree->scene);
 }
 
-RayScene::~RayScene() {
-    rtcReleaseScene(tree->scene);
-}
+RayScene::~RayScene() { rtcReleaseScene(tree->scene); }
 
 WallHit RayScene::exit_wall(const Vec3& origin, const Vec3& direction, std::int32_t self) const {
     const Vec3 start = (origin - tree->centre) * tree->scale;
@@ -88,8 +85,7 @@ WallHit RayScene::exit_wall(const Vec3& origin, const Vec3& direction, std::int3
         const auto met = static_cast<std::int32_t>(ray.hit.primID);
         const auto& triangle = tree->mesh->triangles[met];
         const Vec3& a = tree->mesh->positions[triangle[0]];
-        const Vec3 normal =
-            (tree->mesh->positions[triangle[1]] - a).cross(tree->mesh->positions[triangle[2]] - a);
+        const Vec3 normal = (tree->mesh->positions[triangle[1]] - a).cross(tree->mesh->positions[triangle[2]] - a);
         const double along = normal.dot(direction);
         if (met != self && along > 0) {
             const double exact = normal.dot(a - origin) / along;

@@ -9,8 +9,8 @@ namespace partonomy {
 
 /// A wall met by a ray from inside.
 struct WallHit {
-    float distance = 0;           ///< along the unit direction, in mesh units
-    std::int32_t triangle = -1;   ///< -1 when the ray leaves without meeting a wall
+    float distance = 0;          ///< along the unit direction, in mesh units
+    std::int32_t triangle = -1;  ///< -1 when the ray leaves without meeting a wall
 };
 
 /// The triangles of a mesh in Embree's tree, for rays that travel inside the solid.

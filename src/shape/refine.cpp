@@ -1,9 +1,9 @@
 // Cutting large triangles, so that all later steps may think in small pieces.
 //
-// Every edge longer than the limit is halved, all at once, until none is left. Whether an edge is cut depends on the edge
-// alone, so both its triangles agree and no T-junction appears. A triangle with one, two or three cut edges becomes two,
-// three or four; of the two ways to cut the quadrilateral in the middle case the shorter diagonal is taken. Meshes that are
-// fine already pass unchanged. Cost: linear in the result.
+// Every edge longer than the limit is halved, all at once, until none is left. Whether an edge is cut depends on the
+// edge alone, so both its triangles agree and no T-junction appears. A triangle with one, two or three cut edges
+// becomes two, three or four; of the two ways to cut the quadrilateral in the middle case the shorter diagonal is
+// taken. Meshes that are fine already pass unchanged. Cost: linear in the result.
 
 #include <algorithm>
 #include <array>
@@ -86,7 +86,8 @@ private:
             out.push_back({t[e], m[e], t[(e + 2) % 3]});
             out.push_back({m[e], t[(e + 1) % 3], t[(e + 2) % 3]});
         } else {
-            // The edge that stays runs from corner a to b; c is cut off, and a, b and the two middles make a quadrilateral.
+            // The edge that stays runs from corner a to b; c is cut off, and a, b and the two middles make a
+            // quadrilateral.
             const int stays = m[0] < 0 ? 0 : m[1] < 0 ? 1 : 2;
             const std::int32_t a = t[stays], b = t[(stays + 1) % 3], c = t[(stays + 2) % 3];
             const std::int32_t bc = m[(stays + 1) % 3], ca = m[(stays + 2) % 3];

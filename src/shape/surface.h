@@ -10,17 +10,17 @@
 
 namespace partonomy {
 
-/// What find_parts works on: the caller's surface, cut finer where its triangles are large, so that a box of 12 triangles
-/// and the same box of 12,000 look alike. Measurements are per fine triangle.
+/// What find_parts works on: the caller's surface, cut finer where its triangles are large, so that a box of 12
+/// triangles and the same box of 12,000 look alike. Measurements are per fine triangle.
 struct Surface {
-    TriangleMesh mesh;                   ///< fine; input_faces[i] is the number of the caller's triangle
+    TriangleMesh mesh;  ///< fine; input_faces[i] is the number of the caller's triangle
     Adjacency adjacency;
-    TriangleGeometry geometry;           ///< of the fine triangles as they are
-    std::vector<Vec3> normals;           ///< smoothed where the mesh is noisy
-    Thickness thickness;                 ///< along the smoothed normals
+    TriangleGeometry geometry;  ///< of the fine triangles as they are
+    std::vector<Vec3> normals;  ///< smoothed where the mesh is noisy
+    Thickness thickness;        ///< along the smoothed normals
     std::unique_ptr<RayScene> scene;
-    double size = 0;                     ///< diagonal of the bounding box
-    double roughness = 0;                ///< how far normals turn from one triangle to the next, and back (radians)
+    double size = 0;       ///< diagonal of the bounding box
+    double roughness = 0;  ///< how far normals turn from one triangle to the next, and back (radians)
 
     [[nodiscard]] std::size_t count() const { return mesh.triangles.size(); }
 };

@@ -10,8 +10,8 @@ namespace partonomy {
 
 /// What one inward ray per triangle meets (paper §6.4): the simplified shape diameter function.
 struct Thickness {
-    std::vector<float> distances;          ///< #T from the barycentre to the opposite wall; infinity when nothing is met
-    std::vector<std::int32_t> opposites;   ///< #T triangle met, or -1
+    std::vector<float> distances;         ///< #T from the barycentre to the opposite wall; infinity when nothing is met
+    std::vector<std::int32_t> opposites;  ///< #T triangle met, or -1
 };
 
 /// Shoots from each barycentre against the normal, by Embree. A hit counts when it meets a wall from inside.

@@ -122,10 +122,12 @@ TEST(FindParts, ATableIsATopAndFourLegs) {
 
 TEST(FindParts, LegsFlushWithTheSeatEndAtItsLowerSide) {
     for (const double step : {10.0, 0.02}) {
-        std::vector<Block> blocks{{Vec3(0, 0, 0.4), Vec3(0.5, 0.5, 0.44), 0}, {Vec3(0, 0.46, 0.44), Vec3(0.5, 0.5, 0.9), 5}};
+        std::vector<Block> blocks{{Vec3(0, 0, 0.4), Vec3(0.5, 0.5, 0.44), 0},
+                                  {Vec3(0, 0.46, 0.44), Vec3(0.5, 0.5, 0.9), 5}};
         int number = 1;
         for (const double x : {0.0, 0.46})
-            for (const double y : {0.0, 0.46}) blocks.push_back({Vec3(x, y, 0), Vec3(x + 0.04, y + 0.04, 0.4), number++});
+            for (const double y : {0.0, 0.46})
+                blocks.push_back({Vec3(x, y, 0), Vec3(x + 0.04, y + 0.04, 0.4), number++});
         const Labelled object = shapes::join(blocks, step);
         const std::vector<PartRegion> parts = find_parts(object.mesh);
         EXPECT_EQ(parts.size(), 6U) << step;

@@ -27,8 +27,12 @@ std::size_t misplaced(const ExampleObject& object, const std::vector<PartRegion>
 
 TEST(PaperObjects, EveryTriangleIsInItsPart) {
     for (const ExampleObject& object : paper_objects()) {
-        const ExampleObject variants[] = {object, rotated_about_z(object, 37), translated(object, Vec3(3, -2, 1)),
-                                          with_permuted_faces(object, 7), scaled(object, 100), mirrored(object)};
+        const ExampleObject variants[] = {object,
+                                          rotated_about_z(object, 37),
+                                          translated(object, Vec3(3, -2, 1)),
+                                          with_permuted_faces(object, 7),
+                                          scaled(object, 100),
+                                          mirrored(object)};
         for (const ExampleObject& variant : variants) {
             const std::vector<PartRegion> regions = find_parts(variant.mesh);
             EXPECT_EQ(regions.size(), static_cast<std::size_t>(object.part_count)) << object.name;

@@ -21,9 +21,10 @@ struct Labelled {
     std::vector<int> parts;
 };
 
-/// The closed surface of a set of unit-grid blocks: cell (i, j, k) holds the number of its part, or -1 for air. Grid planes
-/// are at the given coordinates. A surface square belongs to the part behind it and is cut into two triangles.
-inline Labelled blocks(const std::array<std::vector<double>, 3>& planes, const std::function<int(int, int, int)>& part) {
+/// The closed surface of a set of unit-grid blocks: cell (i, j, k) holds the number of its part, or -1 for air. Grid
+/// planes are at the given coordinates. A surface square belongs to the part behind it and is cut into two triangles.
+inline Labelled blocks(const std::array<std::vector<double>, 3>& planes,
+                       const std::function<int(int, int, int)>& part) {
     Labelled out;
     std::map<std::array<int, 3>, std::int32_t> vertices;
     const auto at = [&](std::array<int, 3> g) {

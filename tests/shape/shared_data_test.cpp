@@ -52,8 +52,8 @@ TEST_P(Fig16Test, FourRegionsWithTheRightShapes) {
     for (const PartRegion& part : parts) {
         std::array<std::size_t, 4> votes{};
         for (const std::int32_t t : part.region.triangles)
-            ++votes[static_cast<std::size_t>(truth[static_cast<std::size_t>(
-                loaded.mesh.input_faces[static_cast<std::size_t>(t)])])];
+            ++votes[static_cast<std::size_t>(
+                truth[static_cast<std::size_t>(loaded.mesh.input_faces[static_cast<std::size_t>(t)])])];
         const auto label = static_cast<std::size_t>(std::max_element(votes.begin(), votes.end()) - votes.begin());
         seen[label] = true;
         good += votes[label];
@@ -66,11 +66,10 @@ TEST_P(Fig16Test, FourRegionsWithTheRightShapes) {
     EXPECT_GE(static_cast<double>(good) / static_cast<double>(truth.size()), GetParam().accuracy);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Noise, Fig16Test,
-    testing::Values(Fig16{"fig16_75k.ply", 0.999, {0.999966, 0.99997, 0.99996, 0.999915}},
-                    Fig16{"fig16_75k_n05.ply", 0.99, {0.983023, 0.944411, 0.95555, 0.974192}},
-                    Fig16{"fig16_75k_n10.ply", 0.97, {0.939295, 0.86583, 0.876332, 0.926152}}));
+INSTANTIATE_TEST_SUITE_P(Noise, Fig16Test,
+                         testing::Values(Fig16{"fig16_75k.ply", 0.999, {0.999966, 0.99997, 0.99996, 0.999915}},
+                                         Fig16{"fig16_75k_n05.ply", 0.99, {0.983023, 0.944411, 0.95555, 0.974192}},
+                                         Fig16{"fig16_75k_n10.ply", 0.97, {0.939295, 0.86583, 0.876332, 0.926152}}));
 
 /// The share of the surface that is in a region whose main label is the truth: what perfect naming would give.
 double purity(const std::filesystem::path& mesh_path, const Vec3& up) {

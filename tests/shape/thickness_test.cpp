@@ -53,7 +53,8 @@ TEST(Thickness, OpenSheetsAndLooseTrianglesMeetNothing) {
 }
 
 TEST(Thickness, PassesWallsThatAreMetFromOutside) {
-    // Two boxes that overlap: from the big one's top the ray enters the small one and leaves through the big one's bottom.
+    // Two boxes that overlap: from the big one's top the ray enters the small one and leaves through the big one's
+    // bottom.
     const shapes::Labelled big = shapes::join({{Vec3(0, 0, 0), Vec3(1, 1, 1), 0}}, 10);
     const shapes::Labelled small = shapes::join({{Vec3(0.2, 0.2, 0.2), Vec3(0.8, 0.8, 0.4), 0}}, 10);
     TriangleMesh mesh = big.mesh;
