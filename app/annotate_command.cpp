@@ -4,10 +4,14 @@
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
+#include <exception>
 #include <filesystem>
+#include <future>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
+#include <utility>
 
 #include "app/commands.h"
 #include "base/errors.h"
@@ -91,35 +95,45 @@ Knowhow load(const OntologyArguments& ontology) {
     return knowhow;
 }
 
-Annotation annotate_file(const Arguments& arguments, const Knowhow& knowhow, const std::string& mesh_path,
-                         const fs::path& folder, const Progress& progress) {
-    Stopwatch watch;
-    progress.show(fmt::format("{}: reading", mesh_path));
-    LoadedMesh loaded = read_mesh(mesh_path);
-    const Placement placement{parse_up(arguments.up), parse_unit(arguments.unit)};
-    const Object object = make_object(std::move(loaded.mesh), placement);
-    const double reading_ms = watch.lap();
+/// A mesh that was read and cut into candidate regions.
+struct Input {
+    Object object;
+    MeshReport report;
+    std::string sha256;
+    double read_ms = 0;
+};
 
+Input read_input(const Arguments& arguments, const std::string& mesh_path) {
+    Stopwatch watch;
+    LoadedMesh loaded = read_mesh(mesh_path);
+    const double read_ms = watch.lap();
+    const Placement placement{parse_up(arguments.up), parse_unit(arguments.unit)};
+    return {make_object(std::move(loaded.mesh), placement, arguments.threads), std::move(loaded.report),
+            std::move(loaded.sha256), read_ms};
+}
+
+Annotation annotate_file(const Arguments& arguments, const Knowhow& knowhow, const Input& input,
+                         const std::string& mesh_path, const fs::path& folder, const Progress& progress) {
     progress.show(fmt::format("{}: asking", mesh_path));
-    Annotation annotation =
-        annotate(knowhow.domain, knowhow.catalogue, object,
-                 {parse_strategy(arguments.strategy), parse_criterion(arguments.criterion), arguments.threads});
+    const Object& object = input.object;
+    Annotation annotation = annotate(knowhow.domain, knowhow.catalogue, object,
+                                     {parse_strategy(arguments.strategy), parse_criterion(arguments.criterion)});
     annotation.timings_ms.insert(annotation.timings_ms.begin(),
-                                 {{"load ontology", knowhow.load_ms}, {"read mesh", reading_ms}});
+                                 {{"load ontology", knowhow.load_ms}, {"read mesh", input.read_ms}});
     annotation.mesh_file = mesh_path;
-    annotation.mesh_sha256 = loaded.sha256;
+    annotation.mesh_sha256 = input.sha256;
     annotation.mesh_faces = object.mesh.input_face_count;
-    annotation.mesh_notes = loaded.report.sentences();
+    annotation.mesh_notes = input.report.sentences();
     annotation.ontology_file = arguments.ontology.path;
     annotation.ontology_iri = knowhow.domain.ontology.iri;
     annotation.ontology_sha256 = knowhow.sha256;
     annotation.up = arguments.up;
-    annotation.unit = placement.metres_per_unit ? arguments.unit : "unknown";
+    annotation.unit = object.placement.metres_per_unit ? arguments.unit : "unknown";
     annotation.strategy = arguments.strategy;
 
     progress.show(fmt::format("{}: writing", mesh_path));
-    write_outputs(folder, {arguments.formats.begin(), arguments.formats.end()}, object.mesh, annotation, placement.up,
-                  arguments.threads);
+    write_outputs(folder, {arguments.formats.begin(), arguments.formats.end()}, object.mesh, annotation,
+                  object.placement.up, arguments.threads);
     return annotation;
 }
 
@@ -154,8 +168,19 @@ int run_annotate(const Arguments& arguments) {
     check_formats({arguments.formats.begin(), arguments.formats.end()});
     const std::vector<fs::path> folders = output_folders(arguments);
     const Progress progress(arguments.quiet);
-    progress.show("reading " + arguments.ontology.path);
-    const Knowhow knowhow = load(arguments.ontology);
+    // Cutting a mesh needs no ontology: with a thread to spare, the ontology is read while the first mesh is cut.
+    progress.show("reading " + arguments.ontology.path + " and " + arguments.meshes.front());
+    std::future<Knowhow> loading = std::async(arguments.threads == 1 ? std::launch::deferred : std::launch::async,
+                                              [&] { return load(arguments.ontology); });
+    if (arguments.threads == 1) loading.wait();
+    std::optional<Input> first;
+    std::exception_ptr first_error;
+    try {
+        first = read_input(arguments, arguments.meshes.front());
+    } catch (const Error&) {
+        first_error = std::current_exception();  // told in its turn, after what is wrong with the ontology
+    }
+    const Knowhow knowhow = loading.get();
     progress.show("");
     if (!arguments.quiet)
         for (const std::string& warning : knowhow.domain.warnings) fmt::print(stderr, "partonomy: note: {}\n", warning);
@@ -164,7 +189,10 @@ int run_annotate(const Arguments& arguments) {
     for (std::size_t i = 0; i < arguments.meshes.size(); ++i) {
         try {
             const std::string& mesh = arguments.meshes[i];
-            Annotation annotation = annotate_file(arguments, knowhow, mesh, folders[i], progress);
+            progress.show(fmt::format("{}: reading", mesh));
+            if (i == 0 && first_error) std::rethrow_exception(first_error);
+            const Input input = i == 0 ? *std::exchange(first, std::nullopt) : read_input(arguments, mesh);
+            const Annotation annotation = annotate_file(arguments, knowhow, input, mesh, folders[i], progress);
             progress.show("");
             if (!arguments.quiet) {
                 for (const std::string& note : annotation.mesh_notes) fmt::print(stderr, "{}: note: {}\n", mesh, note);

@@ -70,7 +70,7 @@ std::optional<double> parse_unit(const std::string& word) {
     return found->second;
 }
 
-Object make_object(TriangleMesh mesh, const Placement& placement) {
+Object make_object(TriangleMesh mesh, const Placement& placement, int threads) {
     Object object;
     object.mesh = std::move(mesh);
     object.geometry = compute_geometry(object.mesh);
@@ -83,6 +83,7 @@ Object make_object(TriangleMesh mesh, const Placement& placement) {
             object.low = std::min(object.low, z);
             object.high = std::max(object.high, z);
         }
+    object.candidates = find_parts(object.mesh, {placement.up, threads}, &object.times);
     return object;
 }
 

@@ -27,10 +27,13 @@ struct Object {
     TriangleMesh mesh;
     TriangleGeometry geometry;
     Placement placement;
-    double low = 0, high = 0;  ///< extent along up, in file units
+    double low = 0, high = 0;            ///< extent along up, in file units
+    std::vector<PartRegion> candidates;  ///< box-like regions of find_parts: what every `find all` chooses from
+    StageTimes times;                    ///< of finding them
 };
 
-[[nodiscard]] Object make_object(TriangleMesh mesh, const Placement& placement);
+/// Measures the mesh and cuts it into candidate regions. Needs no ontology. threads <= 0: all cores.
+[[nodiscard]] Object make_object(TriangleMesh mesh, const Placement& placement, int threads = 1);
 
 /// What is measured on one region, once; all questions read from it.
 struct RegionMeasurements {

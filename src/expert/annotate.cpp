@@ -190,7 +190,7 @@ knowledge::SplitCriterion parse_criterion(const std::string& word) {
 Annotation annotate(const Domain& domain, const Catalogue& catalogue, const Object& object,
                     const AnnotateOptions& options) {
     const auto start = std::chrono::steady_clock::now();
-    Session session(domain, catalogue, object, options.threads);
+    Session session(domain, catalogue, object);
     switch (options.strategy) {
         case Strategy::expert:
             run_expert(session, options.criterion);
@@ -236,7 +236,7 @@ Annotation annotate(const Domain& domain, const Catalogue& catalogue, const Obje
                                                 fmt::format("{}", fmt::join(annotation.classes, ", ")));
     annotation.questions = {{"SF", session.find_all_count}, {"SI", session.is_a_count}, {"T", 0}, {"TF", 0}};
     annotation.trace = std::move(session.trace);
-    for (const auto& [stage, ms] : session.times) annotation.timings_ms.emplace_back("find parts: " + stage, ms);
+    for (const auto& [stage, ms] : object.times) annotation.timings_ms.emplace_back("find parts: " + stage, ms);
     const auto ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     annotation.timings_ms.emplace_back("expert system", ms);
     return annotation;

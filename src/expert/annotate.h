@@ -8,11 +8,10 @@ namespace partonomy {
 struct AnnotateOptions {
     Strategy strategy = Strategy::expert;
     knowledge::SplitCriterion criterion = knowledge::SplitCriterion::gain_per_cost;
-    int threads = 1;
 };
 
 /// Cuts and names the parts of an object, recognises it, and says what is wrong with it (paper §3.3.2, §5.1.2).
-/// Everything but the names and hashes of the files is filled in. Same result on any number of threads.
+/// Everything but the names and hashes of the files is filled in.
 [[nodiscard]] Annotation annotate(const knowledge::Domain& domain, const Catalogue& catalogue, const Object& object,
                                   const AnnotateOptions& options = {});
 

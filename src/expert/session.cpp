@@ -40,24 +40,17 @@ std::vector<ConceptId> wanted_concepts(const Space& space) {
 
 }  // namespace
 
-Session::Session(const knowledge::Domain& domain, const Catalogue& catalogue, const Object& object, int threads)
+Session::Session(const knowledge::Domain& domain, const Catalogue& catalogue, const Object& object)
     : domain_(domain),
       catalogue_(catalogue),
       object_(object),
-      threads_(threads),
       wanted_(wanted_concepts(domain.regions)),
-      rest_possible_(domain.regions.all()) {}
-
-void Session::segment() {
-    if (segmented_) return;
-    segmented_ = true;
-    double covered = 0;
-    for (PartRegion& part : find_parts(object_.mesh, {object_.placement.up, threads_}, &times)) {
-        RegionMeasurements measurements = measure_region(object_, part);
-        covered += measurements.area;
-        rest_.push_back({std::move(part), measurements, {}, {}});
+      rest_possible_(domain.regions.all()) {
+    double covered = 0, total = 0;
+    for (const PartRegion& part : object_.candidates) {
+        rest_.push_back({part, measure_region(object_, part), {}, {}});
+        covered += rest_.back().measurements.area;
     }
-    double total = 0;
     for (const double area : object_.geometry.areas) total += area;
     uncovered_fraction_ = total > 0 ? std::max(0.0, 1 - covered / total) : 0;
 }
@@ -72,7 +65,6 @@ int Session::add_region(Candidate candidate) {
 
 int Session::find_all(Question question) {
     const Stopwatch watch;
-    segment();
     ++find_all_count;
     std::vector<Candidate> rest;
     std::vector<int> found;
@@ -106,12 +98,13 @@ int Session::find_all(Question question) {
             entry.inferred.push_back(std::move(text));
     }
     entry.ms = watch.ms();
+    if (find_all_count == 1)  // the first one stands for the cutting, which all of them share
+        for (const auto& [stage, ms] : object_.times) entry.ms += ms;
     trace.push_back(std::move(entry));
     return static_cast<int>(found.size());
 }
 
 void Session::adopt_rest() {
-    segment();
     for (Candidate& candidate : std::exchange(rest_, {})) {
         const std::vector<Answer> ruled_out = std::move(candidate.ruled_out);
         const std::vector<double> scores = std::move(candidate.scores);
@@ -184,7 +177,7 @@ std::vector<std::string> Session::consequences(int region, const ConfigurationSe
 
 knowledge::Knowledge Session::knowledge() const {
     constexpr double negligible = 0.05;  // of the surface
-    return {region_count(), segmented_ && rest_.empty() && uncovered_fraction_ < negligible, answers_};
+    return {region_count(), rest_.empty() && uncovered_fraction_ < negligible, answers_};
 }
 
 std::optional<double> Session::is_a_cost(Question question) const {

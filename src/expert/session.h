@@ -14,8 +14,8 @@ namespace partonomy {
 /// decides what to ask; the session runs the algorithm, counts it, learns the answer, and writes the trace.
 class Session {
 public:
-    /// All four must outlive the session.
-    Session(const knowledge::Domain& domain, const Catalogue& catalogue, const Object& object, int threads);
+    /// All three must outlive the session.
+    Session(const knowledge::Domain& domain, const Catalogue& catalogue, const Object& object);
 
     /// SF: cuts all regions out of the uncut rest that are what the question says. Returns how many.
     int find_all(knowledge::Question question);
@@ -61,7 +61,6 @@ public:
 
     std::vector<TraceEntry> trace;
     int find_all_count = 0, is_a_count = 0;
-    StageTimes times;
 
 private:
     struct Candidate {
@@ -71,7 +70,6 @@ private:
         std::vector<double> scores;                ///< of those answers
     };
     static std::size_t index(int region) { return static_cast<std::size_t>(region); }
-    void segment();
     int add_region(Candidate candidate);
     /// What is known of a region now and was not in `before`, in words; not the answer to `asked` itself.
     [[nodiscard]] std::vector<std::string> consequences(int region, const knowledge::ConfigurationSet& before,
@@ -80,8 +78,6 @@ private:
     const knowledge::Domain& domain_;
     const Catalogue& catalogue_;
     const Object& object_;
-    int threads_;
-    bool segmented_ = false;
     double uncovered_fraction_ = 0;
     std::vector<knowledge::ConceptId> wanted_;
 

@@ -109,7 +109,7 @@ void PictureRays::cast(const Camera& camera, RayPacket& packet) const {
 void for_each_index(int threads, int count, const std::function<void(int)>& work) {
     // More than TBB has would make it warn on stderr.
     const auto most = static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
-    threads = std::min(threads, most);
+    threads = threads <= 0 ? most : std::min(threads, most);
     if (threads <= 1) {
         for (int i = 0; i < count; ++i) work(i);
         return;

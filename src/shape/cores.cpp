@@ -29,6 +29,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "shape/ranges.h"
+
 namespace partonomy {
 
 namespace {
@@ -146,11 +148,20 @@ private:
             sum += s_.geometry.areas[i];
             if (sum < next) continue;
             while (next <= sum) next += step;
-            const Chords c = chords_around(s_, i);
-            const double t = s_.thickness.distances[i];
-            cells_.push_back({c.narrow / t, c.wide / t, c.along, 0, Solidity::unknown, false, {}});
             seeds_.push_back(i);
         }
+        cells_.resize(seeds_.size());
+        constexpr std::size_t seeds_a_piece = 8;
+        for_each_range(
+            seeds_.size(), s_.threads,
+            [&](std::size_t begin, std::size_t end) {
+                for (std::size_t k = begin; k < end; ++k) {
+                    const Chords c = chords_around(s_, seeds_[k]);
+                    const double t = s_.thickness.distances[seeds_[k]];
+                    cells_[k] = {c.narrow / t, c.wide / t, c.along, 0, Solidity::unknown, false, {}};
+                }
+            },
+            seeds_a_piece);
     }
 
     void spread(const Core& component) {

@@ -28,6 +28,7 @@
 #include "shape/claims.h"
 #include "shape/cores.h"
 #include "shape/part_box.h"
+#include "shape/ranges.h"
 #include "shape/surface.h"
 
 namespace partonomy {
@@ -142,7 +143,7 @@ void connect(const TriangleMesh& mesh, const Adjacency& adjacency, const Triangl
 }
 
 std::vector<PartRegion> collect(const TriangleMesh& mesh, const TriangleGeometry& geometry,
-                                const std::vector<std::int32_t>& part_of) {
+                                const std::vector<std::int32_t>& part_of, int threads) {
     std::vector<std::int32_t> number;  // parts by their lowest triangle
     std::vector<PartRegion> regions;
     for (std::size_t i = 0; i < part_of.size(); ++i) {
@@ -155,12 +156,18 @@ std::vector<PartRegion> collect(const TriangleMesh& mesh, const TriangleGeometry
         }
         regions[number[part]].region.triangles.push_back(static_cast<std::int32_t>(i));
     }
-    for (PartRegion& region : regions) {
-        region.region.memberships.assign(region.region.triangles.size(), 1.0F);
-        const PartBox measured = measure_part(mesh, geometry, region.region.triangles);
-        region.box = measured.box;
-        region.fit = measured.fit;
-    }
+    for_each_range(
+        regions.size(), threads,
+        [&](std::size_t begin, std::size_t end) {
+            for (std::size_t k = begin; k < end; ++k) {
+                PartRegion& part = regions[k];
+                part.region.memberships.assign(part.region.triangles.size(), 1.0F);
+                const PartBox measured = measure_part(mesh, geometry, part.region.triangles);
+                part.box = measured.box;
+                part.fit = measured.fit;
+            }
+        },
+        1);
     return regions;
 }
 
@@ -170,6 +177,7 @@ std::vector<PartRegion> find_parts(const TriangleMesh& mesh, const FindPartsOpti
     if (mesh.triangles.empty()) return {};
     Clock clock(times);
     Surface s;
+    s.threads = options.threads;
     s.size = compute_bounds(mesh).diagonal();
     const double limit = refinement_length(mesh, s.size);
     s.mesh = refine(mesh, limit);
@@ -178,13 +186,14 @@ std::vector<PartRegion> find_parts(const TriangleMesh& mesh, const FindPartsOpti
     s.geometry = compute_geometry(s.mesh);
     s.normals = s.geometry.normals;
     clock.done("adjacency");
-    s.scene = std::make_unique<RayScene>(s.mesh);
+    s.scene = std::make_unique<RayScene>(s.mesh, options.threads);
     clock.done("tree");
     s.thickness = measure_thickness(*s.scene, s.geometry, options.threads);
     clock.done("rays");
     Cores cores = find_cores(s);
     clock.done("cores");
     Parts parts{std::move(cores.cores), std::move(cores.core_of)};
+    merge_parts(s, parts);  // walls of one stick that were found apart are no rims
     absorb_rims(s, options.up, parts);
     cut_at_boards(s, options.up, parts);
     claim_slabs(s, options.up, parts);
@@ -199,7 +208,7 @@ std::vector<PartRegion> find_parts(const TriangleMesh& mesh, const FindPartsOpti
     std::vector<std::int32_t> part_of = vote(s, parts.part_of);
     connect(mesh, is_refined ? build_adjacency(mesh) : s.adjacency, geometry, part_of);
     clock.done("vote");
-    std::vector<PartRegion> regions = collect(mesh, geometry, part_of);
+    std::vector<PartRegion> regions = collect(mesh, geometry, part_of, options.threads);
     clock.done("boxes");
     return regions;
 }

@@ -6,14 +6,15 @@
 
 namespace partonomy {
 
-void for_each_range(std::size_t count, int threads, const std::function<void(std::size_t, std::size_t)>& work) {
-    if (threads == 1) {
+void for_each_range(std::size_t count, int threads, const std::function<void(std::size_t, std::size_t)>& work,
+                    std::size_t grain) {
+    if (threads == 1 || count <= grain) {
         work(0, count);
         return;
     }
     tbb::task_arena arena(threads <= 0 ? tbb::task_arena::automatic : threads);
     arena.execute([&] {
-        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 2048),
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain),
                           [&](const tbb::blocked_range<std::size_t>& range) { work(range.begin(), range.end()); });
     });
 }

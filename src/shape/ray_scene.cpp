@@ -21,9 +21,10 @@ namespace {
 constexpr int max_passed_walls = 64;    // a ray that passes more walls than this from outside is lost, not endless
 constexpr float self_distance = 1e-6F;  // of the mesh size: nearer hits of a ray that starts on a wall are that wall
 
-/// One device for the whole process: making one costs as much as the tree of a small mesh.
-RTCDevice device() {
-    static const RTCDevice shared = rtcNewDevice("threads=1,set_affinity=0");
+/// One device for the whole process: making one costs as much as the tree of a small mesh. Embree limits all of TBB to the
+/// threads of its devices, so one that builds on a single thread is made only when nothing else may use more.
+RTCDevice device(int threads) {
+    static const RTCDevice shared = rtcNewDevice(threads == 1 ? "threads=1,set_affinity=0" : "set_affinity=0");
     return shared;
 }
 
@@ -36,15 +37,15 @@ struct RayScene::Tree {
     double scale = 1;  // mesh units -> Embree units
 };
 
-RayScene::RayScene(const TriangleMesh& mesh) : tree(std::make_unique<Tree>()) {
+RayScene::RayScene(const TriangleMesh& mesh, int threads) : tree(std::make_unique<Tree>()) {
     const Bounds bounds = compute_bounds(mesh);
     tree->mesh = &mesh;
     tree->centre = (bounds.low + bounds.high) / 2;
     tree->scale = bounds.diagonal() > 0 ? 1 / bounds.diagonal() : 1;
-    tree->scene = rtcNewScene(device());
+    tree->scene = rtcNewScene(device(threads));
     rtcSetSceneFlags(tree->scene, RTC_SCENE_FLAG_ROBUST);
     rtcSetSceneBuildQuality(tree->scene, RTC_BUILD_QUALITY_MEDIUM);
-    RTCGeometry geometry = rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_TRIANGLE);
+    RTCGeometry geometry = rtcNewGeometry(device(threads), RTC_GEOMETRY_TYPE_TRIANGLE);
     auto* points = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                                                3 * sizeof(float), mesh.positions.size()));
     for (const Vec3& position : mesh.positions) {

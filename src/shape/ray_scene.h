@@ -16,7 +16,8 @@ struct WallHit {
 /// The triangles of a mesh in Embree's tree, for rays that travel inside the solid.
 class RayScene {
 public:
-    explicit RayScene(const TriangleMesh& mesh);
+    /// Builds the tree; threads <= 0: all cores. Hits are the same on any number of threads.
+    explicit RayScene(const TriangleMesh& mesh, int threads = 1);
     ~RayScene();
     RayScene(const RayScene&) = delete;
     RayScene& operator=(const RayScene&) = delete;

@@ -19,8 +19,8 @@ struct Surface {
     std::vector<Vec3> normals;  ///< smoothed where the mesh is noisy
     Thickness thickness;        ///< along the smoothed normals
     std::unique_ptr<RayScene> scene;
+    int threads = 1;       ///< to use; <= 0: all cores
     double size = 0;       ///< diagonal of the bounding box
-    double roughness = 0;  ///< how far normals turn from one triangle to the next, and back (radians)
 
     [[nodiscard]] std::size_t count() const { return mesh.triangles.size(); }
 };

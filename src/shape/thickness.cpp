@@ -12,7 +12,7 @@
 namespace partonomy {
 
 Thickness measure_thickness(const TriangleMesh& mesh, const TriangleGeometry& geometry, int threads) {
-    return measure_thickness(RayScene(mesh), geometry, threads);
+    return measure_thickness(RayScene(mesh, threads), geometry, threads);
 }
 
 Thickness measure_thickness(const RayScene& scene, const TriangleGeometry& geometry, int threads) {

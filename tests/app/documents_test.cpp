@@ -3,11 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 #include <regex>
 #include <sstream>
 
 #include "app/run_program.h"
 #include "base/files.h"
+#include "examples/objects.h"
+#include "mesh/write_off.h"
 
 namespace partonomy {
 namespace {
@@ -42,10 +45,37 @@ TEST(Documents, LinkedFilesExist) {
     int links = 0;
     for (const fs::path& document : documents()) {
         const std::string text = read_file(document);
-        for (auto it = std::sregex_iterator(text.begin(), text.end(), link); it != std::sregex_iterator(); ++it, ++links)
+        for (auto it = std::sregex_iterator(text.begin(), text.end(), link); it != std::sregex_iterator();
+             ++it, ++links)
             EXPECT_TRUE(fs::exists(document.parent_path() / (*it)[1].str())) << document << " links to " << (*it)[1];
     }
     EXPECT_GE(links, 8);
+}
+
+/// The table of strategies in docs/expert-system.md says what the program counts.
+TEST(Documents, TableOfStrategiesIsMeasured) {
+    const std::regex row(R"(\| ([a-z0-9]+) \| (\d+) \| (\d+ / \d+) \| \d+ / \d+ \| (\d+ / \d+) \| (\d+ / \d+) \|)");
+    const std::string text = read_file(project / "docs/expert-system.md");
+    const TemporaryFolder folder;
+    int rows = 0;
+    for (auto it = std::sregex_iterator(text.begin(), text.end(), row); it != std::sregex_iterator(); ++it, ++rows) {
+        const ExampleObject object = paper_object((*it)[1]);
+        EXPECT_EQ(std::to_string(object.part_count), (*it)[2]);
+        folder.write("mesh.off", to_off(object.mesh));
+        int column = 3;
+        for (const char* strategy : {"expert", "naive", "segment-then-identify"}) {
+            ASSERT_EQ(run_partonomy({"annotate", "mesh.off", "--ontology", furniture_path(), "-o", "out", "-q",
+                                     "--strategy", strategy, "--format", "json"},
+                                    folder.path())
+                          .exit_code,
+                      0);
+            const auto questions =
+                nlohmann::json::parse(read_file(folder.path() / "out/mesh/annotation.json")).at("questions");
+            EXPECT_EQ(questions.at("SF").dump() + " / " + questions.at("SI").dump(), (*it)[column++].str())
+                << object.name << " " << strategy;
+        }
+    }
+    EXPECT_EQ(rows, 5);
 }
 
 TEST(Documents, ReadmeShowsTheTwoCommands) {

@@ -154,7 +154,7 @@ TEST(Furniture, ThePaperTree) {
     std::size_t leaves = 0;
     for (const TreeNode& node : tree.nodes) leaves += node.question ? 0 : node.configurations.count();
     EXPECT_EQ(leaves, 288U);
-    EXPECT_EQ(to_text(space, *tree.nodes[0].question, furniture()), "is it a Board");
+    EXPECT_EQ(to_text(space, *tree.nodes[0].question, furniture()), "is it a board");
     options.criterion = SplitCriterion::gain_per_cost;
     for (std::size_t c = 0; c < space.concepts.size(); ++c) options.wanted.push_back(static_cast<ConceptId>(c));
     EXPECT_LT(build_tree(space, options, find_all).nodes.size(), 60U);
