@@ -56,37 +56,9 @@ Declarations::Declarations() {
     declare(EntityKind::datatype, rdf_prefix, {"PlainLiteral", "XMLLiteral", "langString"});
     declare(EntityKind::datatype, rdfs_prefix, {"Literal"});
     declare(EntityKind::datatype, xsd_prefix,
-            {"string",
-             "normalizedString",
-             "token",
-             "language",
-             "Name",
-             "NCName",
-             "NMTOKEN",
-             "boolean",
-             "decimal",
-             "integer",
-             "nonNegativeInteger",
-             "nonPositiveInteger",
-             "positiveInteger",
-             "negativeInteger",
-             "long",
-             "int",
-             "short",
-             "byte",
-             "unsignedLong",
-             "unsignedInt",
-             "unsignedShort",
-             "unsignedByte",
-             "double",
-             "float",
-             "hexBinary",
-             "base64Binary",
-             "anyURI",
-             "dateTime",
-             "dateTimeStamp",
-             "date",
-             "time"});
+            {"string", "normalizedString", "token", "language", "Name", "NCName", "NMTOKEN", "boolean", "hexBinary",
+             "base64Binary", "anyURI", "dateTime", "dateTimeStamp", "date", "time"});
+    for (const char* name : numeric_datatypes) add(std::string(xsd_prefix) + name, EntityKind::datatype);
 }
 
 bool Declarations::has(const Iri& iri, EntityKind kind) const {

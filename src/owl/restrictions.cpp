@@ -52,23 +52,7 @@ bool is_number(const std::string& text) {
 }
 
 bool is_numeric_type(const Iri& datatype) {
-    constexpr const char* names[] = {"double",
-                                     "float",
-                                     "decimal",
-                                     "integer",
-                                     "nonNegativeInteger",
-                                     "nonPositiveInteger",
-                                     "positiveInteger",
-                                     "negativeInteger",
-                                     "long",
-                                     "int",
-                                     "short",
-                                     "byte",
-                                     "unsignedLong",
-                                     "unsignedInt",
-                                     "unsignedShort",
-                                     "unsignedByte"};
-    for (const char* name : names) {
+    for (const char* name : numeric_datatypes) {
         if (datatype == std::string(xsd_prefix) + name) return true;
     }
     return false;

@@ -57,6 +57,11 @@ inline constexpr const char* owl_prefix = "http://www.w3.org/2002/07/owl#";
 inline constexpr const char* rdf_prefix = "http://www.w3.org/1999/02/22-rdf-syntax-ns#";
 inline constexpr const char* rdfs_prefix = "http://www.w3.org/2000/01/rdf-schema#";
 inline constexpr const char* xsd_prefix = "http://www.w3.org/2001/XMLSchema#";
+
+/// Local names of the XML Schema datatypes whose values are numbers.
+inline constexpr const char* numeric_datatypes[] = {
+    "double", "float", "decimal", "integer", "nonNegativeInteger", "nonPositiveInteger", "positiveInteger", "negativeInteger",
+    "long", "int", "short", "byte", "unsignedLong", "unsignedInt", "unsignedShort", "unsignedByte"};
 inline constexpr const char* swrl_prefix = "http://www.w3.org/2003/11/swrl";
 
 /// The word that `iri` is, Word::none for all others.
