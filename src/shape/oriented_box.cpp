@@ -112,6 +112,8 @@ Rectangle smallest_rectangle(std::vector<Eigen::Vector2d>& points, double size) 
     return best;
 }
 
+constexpr int most_turns = 60;  // flat sets would creep on: each turn gains a little of next to nothing
+
 class Search {
 public:
     Search(const Points& points, double size) : points_(points), size_(size) {}
@@ -149,7 +151,7 @@ public:
     }
 
     void turn_exactly(Turned& box) {
-        for (int idle = 0, axis = 0; idle < 3; axis = (axis + 1) % 3) {
+        for (int idle = 0, axis = 0, turns = 0; idle < 3 && turns < most_turns; axis = (axis + 1) % 3, ++turns) {
             const Turned turned = about(box.axes.col(axis));
             const bool gain = turned.volume < box.volume * (1 - 1e-9);
             if (gain) box = turned;

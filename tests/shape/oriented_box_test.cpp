@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <stdexcept>
 
 #include "shape/shapes.h"
@@ -88,6 +89,24 @@ TEST(SmallestBox, ScalesAndMovesWithItsPoints) {
     const double volume = smallest_box(points).volume();
     for (Vec3& point : points) point = point * 1000 + Vec3(5000, 0, -3000);
     EXPECT_NEAR(smallest_box(points).volume(), volume * 1e9, 0.01 * volume * 1e9);
+}
+
+/// Sheets of a model file are flat but for rounding: each turn gains a little of next to nothing, and must not go on.
+TEST(SmallestBox, NearlyFlatSheetsEndSoon) {
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()).toRotationMatrix();
+    for (const double roughness : {1e-12, 1e-9, 1e-7, 1e-5}) {
+        SCOPED_TRACE(roughness);
+        std::vector<Vec3> points;
+        for (int x = 0; x <= 20; ++x)
+            for (int y = 0; y <= 10; ++y) {
+                const double height = roughness * ((x * 7 + y * 13) % 5 - 2);
+                points.push_back(turn * Vec3(x, y, height));
+            }
+        const OrientedBox box = smallest_box(points);
+        EXPECT_NEAR(box.lengths[0], 20, 1e-3);
+        EXPECT_NEAR(box.lengths[1], 10, 1e-3);
+        EXPECT_LT(box.lengths[2], 10 * roughness + 1e-9);
+    }
 }
 
 }  // namespace
