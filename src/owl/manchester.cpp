@@ -62,8 +62,20 @@ std::string facet_name(const Iri& facet) {
 }
 
 std::string show(const DataRange& range) {
-    if (!range.values.empty()) {
-        return between("{", joined(range.values, ", ", [](const Literal& value) { return show(value); }), "}");
+    const auto operands = [&](const char* separator) {
+        return between("(", joined(range.operands, separator, [](const DataRange& item) { return show(item); }), ")");
+    };
+    switch (range.kind) {
+        case DataRangeKind::datatype:
+            break;
+        case DataRangeKind::one_of:
+            return between("{", joined(range.values, ", ", [](const Literal& value) { return show(value); }), "}");
+        case DataRangeKind::intersection_of:
+            return operands(" and ");
+        case DataRangeKind::union_of:
+            return operands(" or ");
+        case DataRangeKind::complement_of:
+            return between("not ", show(range.operands.at(0)), "");
     }
     if (range.facets.empty()) return datatype_name(range.datatype);
     return datatype_name(range.datatype) + "[" +
@@ -90,6 +102,41 @@ std::string list(const std::vector<ClassPointer>& classes, std::size_t from) {
 
 std::string list(const std::vector<PropertyExpression>& properties) {
     return joined(properties, ", ", [](const PropertyExpression& property) { return show(property); });
+}
+
+std::string show(const RuleAtom& atom) {
+    const auto term = [](const RuleTerm& item) {
+        if (item.kind == RuleTerm::Kind::literal) return show(item.literal);
+        return item.kind == RuleTerm::Kind::variable ? between("?", name(item.iri), "") : name(item.iri);
+    };
+    std::string predicate;
+    switch (atom.kind) {
+        case RuleAtom::Kind::of_class:
+            predicate = operand(*atom.klass);
+            break;
+        case RuleAtom::Kind::of_data_range:
+            predicate = show(atom.range);
+            break;
+        case RuleAtom::Kind::object_property:
+        case RuleAtom::Kind::data_property:
+            predicate = show(atom.property);
+            break;
+        case RuleAtom::Kind::same_as:
+            predicate = "sameAs";
+            break;
+        case RuleAtom::Kind::different_from:
+            predicate = "differentFrom";
+            break;
+        case RuleAtom::Kind::built_in:
+            predicate = name(atom.iri);
+            break;
+    }
+    return predicate + between("(", joined(atom.arguments, ", ", term), ")");
+}
+
+std::string show(const Rule& rule) {
+    const auto atom = [](const RuleAtom& item) { return show(item); };
+    return joined(rule.body, ", ", atom) + " -> " + joined(rule.head, ", ", atom);
 }
 
 }  // namespace
@@ -209,6 +256,14 @@ std::string to_manchester(const Axiom& axiom) {
             return individual(0) + " Facts: not " + property(0) + " " + individual(1);
         case AxiomKind::data_property_assertion:
             return individual(0) + " Facts: " + property(0) + " " + show(axiom.literal);
+        case AxiomKind::negative_data_property_assertion:
+            return individual(0) + " Facts: not " + property(0) + " " + show(axiom.literal);
+        case AxiomKind::has_key:
+            return klass(0) + " HasKey: " + list(axiom.properties);
+        case AxiomKind::datatype_definition:
+            return "Datatype: " + name(axiom.datatype) + " EquivalentTo: " + show(axiom.range);
+        case AxiomKind::rule:
+            return show(*axiom.rule);
         case AxiomKind::same_individual:
             return axiom.individuals.size() == 2 ? individual(0) + " SameAs: " + individual(1)
                                                  : "SameIndividual: " + names(axiom.individuals);

@@ -50,12 +50,23 @@ struct Literal {
     auto operator<=>(const Literal&) const = default;
 };
 
-/// A datatype with facets, such as xsd:double[>= 0.4, <= 0.48]; or an enumeration of literals.
+enum class DataRangeKind {
+    datatype,         ///< datatype, facets
+    one_of,           ///< values
+    intersection_of,  ///< operands
+    union_of,         ///< operands
+    complement_of,    ///< operands[0]
+};
+
+/// A set of literals: a datatype with facets, such as xsd:double[>= 0.4, <= 0.48]; an enumeration; or made of others.
 struct DataRange {
+    DataRangeKind kind = DataRangeKind::datatype;
     Iri datatype;
     std::vector<std::pair<Iri, Literal>> facets;  ///< xsd:minInclusive … in the order of the file
-    std::vector<Literal> values;                  ///< oneOf; empty when not an enumeration
-    auto operator<=>(const DataRange&) const = default;
+    std::vector<Literal> values;
+    std::vector<DataRange> operands;
+    std::strong_ordering operator<=>(const DataRange&) const = default;
+    bool operator==(const DataRange&) const = default;
 };
 
 /// An object property, or the inverse of one.
@@ -112,6 +123,40 @@ enum class AxiomKind {
     data_property_assertion,     ///< properties[0], individuals[0], literal
     same_individual,
     different_individuals,
+    negative_data_property_assertion,  ///< properties[0], individuals[0], literal
+    has_key,                           ///< classes[0], properties (object and data)
+    datatype_definition,               ///< datatype = range
+    rule,                              ///< DL-safe SWRL rule
+};
+
+/// An argument of a rule's atom: a variable, an individual (iri), or a literal.
+struct RuleTerm {
+    enum class Kind { variable, individual, literal } kind = Kind::variable;
+    Iri iri;  ///< of a variable or individual
+    Literal literal;
+    auto operator<=>(const RuleTerm&) const = default;
+};
+
+struct RuleAtom {
+    enum class Kind {
+        of_class,         ///< klass(arguments[0])
+        of_data_range,    ///< range(arguments[0])
+        object_property,  ///< property(arguments[0], arguments[1])
+        data_property,    ///< property(arguments[0], arguments[1])
+        same_as,          ///< two arguments
+        different_from,   ///< two arguments
+        built_in,         ///< iri (swrlb:lessThan …) of all arguments
+    } kind = Kind::of_class;
+    ClassPointer klass;
+    DataRange range;
+    PropertyExpression property;
+    Iri iri;
+    std::vector<RuleTerm> arguments;
+};
+
+/// All of `body` implies all of `head`.
+struct Rule {
+    std::vector<RuleAtom> body, head;
 };
 
 struct Axiom {
@@ -122,6 +167,8 @@ struct Axiom {
     DataRange range;
     Literal literal;
     Source source;
+    Iri datatype = {};                      ///< that a datatype_definition defines
+    std::shared_ptr<const Rule> rule = {};  ///< of a rule
 };
 
 /// The axiom on one line in Manchester-like words: "Seat EquivalentTo: Region and (hasShape some Board)".

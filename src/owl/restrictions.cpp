@@ -170,6 +170,7 @@ Expressions::Made Expressions::restriction(Node node, long line) {
         }
         if (over_data) {
             expression.range.datatype = term(value->object).datatype;
+            expression.range.kind = DataRangeKind::one_of;
             expression.range.values.push_back(literal(value->object));
         } else {
             expression.individuals.push_back(individual(value->object, value->line));
@@ -227,6 +228,7 @@ DataRange Expressions::data_range(Node node, long line) {
             range.values.push_back(literal(member));
         }
         if (range.values.empty()) fail(one_of->line, "owl:oneOf has an empty list; it needs at least one member");
+        range.kind = DataRangeKind::one_of;
         range.datatype = range.values.front().datatype;
         for (const Literal& value : range.values) {
             if (value.datatype != range.datatype) range.datatype = std::string(rdfs_prefix) + "Literal";

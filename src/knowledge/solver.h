@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "knowledge/clauses.h"
+
+namespace partonomy::knowledge {
+
+enum class Verdict { satisfiable, unsatisfiable };
+
+/// An incremental SAT solver (CaDiCaL), so that many questions about one formula share what was learned.
+class Solver {
+public:
+    explicit Solver(const Clauses& clauses);
+    ~Solver();
+    Solver(Solver&&) noexcept;
+    Solver& operator=(Solver&&) noexcept;
+
+    /// Adds the clauses of `clauses` that it had not when this was last called (or constructed).
+    void add_new(const Clauses& clauses);
+
+    /// Whether the formula has a model in which all assumptions are true.
+    [[nodiscard]] Verdict solve(std::span<const int> assumptions = {});
+    /// After `satisfiable`: whether the variable is true in the model found.
+    [[nodiscard]] bool value(int variable) const;
+    /// After `unsatisfiable`: assumptions that suffice for it, in the order given; not minimal.
+    [[nodiscard]] std::vector<int> core() const;
+
+    /// Those of `candidates` that are true in every model of formula and assumptions, in the order given. Throws
+    /// std::logic_error when there is no model.
+    [[nodiscard]] std::vector<int> entailed(std::span<const int> candidates, std::span<const int> assumptions = {});
+
+private:
+    struct Engine;
+    std::unique_ptr<Engine> engine_;
+};
+
+}  // namespace partonomy::knowledge
