@@ -2,13 +2,14 @@
 
 #include <cstddef>
 #include <initializer_list>
+#include <map>
 #include <span>
 #include <vector>
 
 namespace partonomy::knowledge {
 
-/// A propositional formula in conjunctive normal form, as in DIMACS: variables are 1, 2, …; literal v says that variable
-/// v is true, -v that it is false.
+/// A propositional formula in conjunctive normal form, as in DIMACS: variables are 1, 2, …; literal v says that
+/// variable v is true, -v that it is false. Gates are shared: asking twice for the same one gives the same literal.
 class Clauses {
 public:
     /// A new variable.
@@ -19,9 +20,15 @@ public:
 
     /// A literal that is true exactly when all (any) of the literals are.
     [[nodiscard]] int all_of(std::span<const int> literals);
+    [[nodiscard]] int all_of(std::initializer_list<int> literals) {
+        return all_of(std::span(literals.begin(), literals.size()));
+    }
     [[nodiscard]] int any_of(std::span<const int> literals);
-    /// A literal that is true exactly when at least `count` of the literals are (a totalizer: Bailleux and Boufkhad 2003,
-    /// bounded at `count`; about literals × count clauses).
+    [[nodiscard]] int any_of(std::initializer_list<int> literals) {
+        return any_of(std::span(literals.begin(), literals.size()));
+    }
+    /// A literal that is true exactly when at least `count` of the literals are; one that is given twice counts twice
+    /// (a totalizer: Bailleux and Boufkhad 2003, bounded at `count`; about literals × count clauses).
     [[nodiscard]] int at_least(std::span<const int> literals, unsigned count);
     /// The constants.
     [[nodiscard]] int always();
@@ -32,10 +39,22 @@ public:
     [[nodiscard]] std::span<const int> operator[](std::size_t clause) const;
 
 private:
+    /// A node of a totalizer: how many of its literals are true.
+    struct Counter {
+        std::size_t left = 0, right = 0;  ///< the counters of its halves
+        std::size_t size = 0;             ///< literals
+        std::vector<int> outputs;         ///< [r - 1]: at least r are true; 0 while nobody has asked
+    };
+    [[nodiscard]] std::size_t counter_of(std::span<const int> literals);
+    [[nodiscard]] int output(std::size_t counter, std::size_t count);
+
     int variable_count_ = 0;
     int always_ = 0;
     std::vector<int> literals_;
     std::vector<std::size_t> ends_;
+    std::map<std::vector<int>, int> conjunctions_;  ///< by sorted literals
+    std::map<std::vector<int>, std::size_t> counter_ids_;
+    std::vector<Counter> counters_;
 };
 
 }  // namespace partonomy::knowledge
