@@ -133,7 +133,7 @@ Annotation annotate_file(const Arguments& arguments, const Knowhow& knowhow, con
 
     progress.show(fmt::format("{}: writing", mesh_path));
     write_outputs(folder, {arguments.formats.begin(), arguments.formats.end()}, object.mesh, annotation,
-                  object.placement.up, arguments.threads);
+                  object.placement.up, {.threads = arguments.threads, .tree = object.tree.get()});
     return annotation;
 }
 

@@ -4,12 +4,13 @@
 #include "mesh/triangle_mesh.h"
 #include "report/canvas.h"
 #include "report/choose_view.h"
+#include "report/write.h"
 
 namespace partonomy {
 
 /// Draws the object into the frame of the canvas: parts in their colours, shaded, with dark lines where one part ends
 /// or hides another. Same pixels for any number of threads.
 void draw_object(Canvas& canvas, const Frame& frame, const TriangleMesh& mesh, const Annotation& annotation,
-                 const Vec3& up, int threads);
+                 const Vec3& up, const PreviewOptions& options);
 
 }  // namespace partonomy

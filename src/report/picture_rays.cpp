@@ -7,67 +7,11 @@
 
 #include <algorithm>
 #include <limits>
-#include <string>
-
-#include "base/errors.h"
 
 namespace partonomy {
 
-struct PictureRays::Scene {
-    RTCDevice device = rtcNewDevice(nullptr);
-    RTCScene scene = nullptr;
-
-    Scene() {
-        if (device == nullptr)
-            throw Error("Embree cannot start (error " + std::to_string(static_cast<int>(rtcGetDeviceError(nullptr))) +
-                        "), so no preview can be drawn");
-        scene = rtcNewScene(device);
-        rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);  // no pinholes along shared edges
-    }
-    ~Scene() {
-        rtcReleaseScene(scene);
-        rtcReleaseDevice(device);
-    }
-    Scene(const Scene&) = delete;
-    Scene& operator=(const Scene&) = delete;
-};
-
-PictureRays::PictureRays(const TriangleMesh& mesh) : scene_(std::make_unique<Scene>()) {
-    const double infinity = std::numeric_limits<double>::infinity();
-    Vec3 low = Vec3::Constant(infinity), high = -low;
-    for (const auto& triangle : mesh.triangles)
-        for (const std::int32_t corner : triangle) {
-            low = low.cwiseMin(mesh.positions[static_cast<std::size_t>(corner)]);
-            high = high.cwiseMax(mesh.positions[static_cast<std::size_t>(corner)]);
-        }
-    if (!mesh.triangles.empty()) {
-        middle_ = low / 2 + high / 2;
-        const double diagonal = (high / 2 - low / 2).stableNorm() * 2;
-        if (diagonal > 0) factor_ = 1 / diagonal;
-    }
-    RTCGeometry geometry = rtcNewGeometry(scene_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* points = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                                               3 * sizeof(float), mesh.positions.size()));
-    auto* corners = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), mesh.triangles.size()));
-    if ((points == nullptr && !mesh.positions.empty()) || (corners == nullptr && !mesh.triangles.empty())) {
-        rtcReleaseGeometry(geometry);
-        throw Error("there is not enough memory to draw the preview");
-    }
-    for (const Vec3& position : mesh.positions) {
-        const Vec3 point = place(position);
-        for (int axis = 0; axis < 3; ++axis) *points++ = static_cast<float>(point[axis]);
-    }
-    for (const auto& triangle : mesh.triangles)
-        for (const std::int32_t corner : triangle) *corners++ = static_cast<std::uint32_t>(corner);
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(scene_->scene, geometry);
-    rtcReleaseGeometry(geometry);
-    tbb::task_arena alone(1);
-    alone.execute([&] { rtcJoinCommitScene(scene_->scene); });
-}
-
-PictureRays::~PictureRays() = default;
+PictureRays::PictureRays(const TriangleMesh& mesh, const RayTree* tree)
+    : own_(tree ? nullptr : std::make_unique<const RayTree>(mesh)), tree_(tree ? tree : own_.get()) {}
 
 void PictureRays::cast(const Camera& camera, RayPacket& packet) const {
     const Vec3 corner = -camera.right * (camera.center_x / camera.scale) -
@@ -100,7 +44,7 @@ void PictureRays::cast(const Camera& camera, RayPacket& packet) const {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-    rtcIntersect16(valid.data(), scene_->scene, &context, &rays);
+    rtcIntersect16(valid.data(), tree_->handle(), &context, &rays);
     for (std::size_t i = 0; i < RayPacket::size; ++i)
         packet.triangle[i] =
             rays.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID ? -1 : static_cast<std::int32_t>(rays.hit.primID[i]);

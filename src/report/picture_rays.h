@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "mesh/triangle_mesh.h"
+#include "shape/ray_tree.h"
 
 namespace partonomy {
 
@@ -24,26 +25,21 @@ struct RayPacket {
     std::array<std::int32_t, size> triangle{};  ///< first triangle hit, -1 for none
 };
 
-/// The mesh as Embree likes it: built once, on one thread so that the tree and thus every tie is always the same.
+/// The mesh as the camera sees it.
 class PictureRays {
 public:
-    /// Throws Error when Embree cannot start.
-    explicit PictureRays(const TriangleMesh& mesh);
-    ~PictureRays();
-    PictureRays(const PictureRays&) = delete;
-    PictureRays& operator=(const PictureRays&) = delete;
+    /// With a tree of the mesh that is already there (it must outlive this), or nullptr. Throws what RayTree throws.
+    PictureRays(const TriangleMesh& mesh, const RayTree* tree);
 
     /// May be called by several threads.
     void cast(const Camera& camera, RayPacket& packet) const;
 
     /// A point of the mesh in the frame of cameras.
-    [[nodiscard]] Vec3 place(const Vec3& point) const { return (point - middle_) * factor_; }
+    [[nodiscard]] Vec3 place(const Vec3& point) const { return tree_->place(point); }
 
 private:
-    struct Scene;
-    Vec3 middle_ = Vec3::Zero();
-    double factor_ = 1;
-    std::unique_ptr<Scene> scene_;
+    std::unique_ptr<const RayTree> own_;
+    const RayTree* tree_;
 };
 
 /// Calls work(i) for i in [0, count), on up to `threads` threads, in any order.

@@ -40,12 +40,12 @@ constexpr std::array<Format, 6> known_formats{{{"glb", "annotation.glb"},
                                                {"trace", "trace.txt"}}};
 
 std::string render(std::string_view format, const TriangleMesh& mesh, const Annotation& annotation, const Vec3& up,
-                   int threads) {
+                   const PreviewOptions& preview) {
     if (format == "glb") return to_glb(mesh, annotation, up);
     if (format == "json") return to_json(annotation);
     if (format == "labels") return to_labels(annotation);
     if (format == "ply") return to_ply(mesh, annotation);
-    if (format == "png") return to_png(mesh, annotation, up, {.threads = threads});
+    if (format == "png") return to_png(mesh, annotation, up, preview);
     return to_trace(annotation);
 }
 
@@ -162,13 +162,13 @@ void check_formats(const std::set<std::string>& formats) {
 }
 
 void write_outputs(const fs::path& folder, const std::set<std::string>& formats, const TriangleMesh& mesh,
-                   const Annotation& annotation, const Vec3& up, int threads) {
+                   const Annotation& annotation, const Vec3& up, const PreviewOptions& preview) {
     check_formats(formats);
     if (folder.empty()) throw UsageError("the output folder has no name");
     Files files;
     for (const Format& format : known_formats)
         if (formats.contains(std::string(format.name)))
-            files[std::string(format.file)] = render(format.name, mesh, annotation, up, threads);
+            files[std::string(format.file)] = render(format.name, mesh, annotation, up, preview);
     const fs::path place = folder.has_filename() ? folder : folder.parent_path();
     std::error_code error;
     const fs::file_status status = fs::status(place, error);

@@ -7,6 +7,7 @@
 
 #include "expert/annotation.h"
 #include "mesh/triangle_mesh.h"
+#include "report/write.h"
 
 namespace partonomy {
 
@@ -21,6 +22,6 @@ void check_formats(const std::set<std::string>& formats);
 /// complete, an existing folder keeps its old files and a new one does not appear. Files of other names are left alone.
 /// `up` is the mesh's up direction. Throws UsageError (unknown format, annotation of another mesh), FileError.
 void write_outputs(const std::filesystem::path& folder, const std::set<std::string>& formats, const TriangleMesh& mesh,
-                   const Annotation& annotation, const Vec3& up, int threads);
+                   const Annotation& annotation, const Vec3& up, const PreviewOptions& preview);
 
 }  // namespace partonomy

@@ -78,13 +78,21 @@ Chords chords_around(const Surface& s, std::int32_t t) {
     const Vec3 n = s.normals[t];
     const Vec3 middle = s.geometry.barycentres[t] - n * (s.thickness.distances[t] / 2);
     const Vec3 x = n.unitOrthogonal(), y = n.cross(x);
-    constexpr int lines = 8;
+    constexpr std::size_t lines = 8;
     Chords chords;
     double square = s.size, any = s.size;
-    for (int k = 0; k < lines; ++k) {
-        const double angle = std::numbers::pi * k / lines;
+    std::array<InnerRay, 2 * lines> rays;
+    std::array<WallHit, 2 * lines> hits;
+    for (std::size_t k = 0; k < lines; ++k) {
+        const double angle = std::numbers::pi * static_cast<double>(k) / lines;
         const Vec3 d = std::cos(angle) * x + std::sin(angle) * y;
-        const WallHit ahead = s.scene->exit_wall(middle, d), behind = s.scene->exit_wall(middle, -d);
+        rays[k] = {middle, d};
+        rays[k + lines] = {middle, -d};
+    }
+    s.scene->exit_walls(rays, hits);
+    for (std::size_t k = 0; k < lines; ++k) {
+        const Vec3& d = rays[k].direction;
+        const WallHit &ahead = hits[k], &behind = hits[k + lines];
         const double length = std::min<double>(ahead.distance, s.size) + std::min<double>(behind.distance, s.size);
         any = std::min(any, length);
         if (ahead.triangle >= 0 && behind.triangle >= 0 && s.normals[ahead.triangle].dot(d) > square_cosine &&

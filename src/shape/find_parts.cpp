@@ -29,6 +29,7 @@
 #include "shape/cores.h"
 #include "shape/part_box.h"
 #include "shape/ranges.h"
+#include "shape/refine.h"
 #include "shape/surface.h"
 
 namespace partonomy {
@@ -180,14 +181,15 @@ std::vector<PartRegion> find_parts(const TriangleMesh& mesh, const FindPartsOpti
     s.threads = options.threads;
     s.size = compute_bounds(mesh).diagonal();
     const double limit = refinement_length(mesh, s.size);
-    s.mesh = refine(mesh, limit);
+    Refinement refinement = refine(mesh, limit);
+    s.mesh = refinement.mesh;
     clock.done("refine");
     s.adjacency = build_adjacency(s.mesh);
     s.geometry = compute_geometry(s.mesh);
     s.normals = s.geometry.normals;
     clock.done("adjacency");
-    s.scene = std::make_unique<RayScene>(s.mesh, options.threads);
-    clock.done("tree");
+    s.scene = std::make_unique<RayScene>(mesh, options.tree, &refinement, options.threads);
+    if (!options.tree) clock.done("tree");
     s.thickness = measure_thickness(*s.scene, s.geometry, options.threads);
     clock.done("rays");
     Cores cores = find_cores(s);

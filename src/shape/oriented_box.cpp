@@ -58,6 +58,20 @@ Vec3 extents(const Points& points, const Matrix3d& axes) {
     return high - low;
 }
 
+/// Whether points lie in all eight corners of the box with these axes: then it is the hull itself, and the smallest.
+bool fills_its_corners(const Points& points, const Matrix3d& axes, double size) {
+    const Points turned = axes.transpose() * points;
+    const Vec3 low = turned.rowwise().minCoeff(), high = turned.rowwise().maxCoeff();
+    unsigned corners = 0;
+    for (Eigen::Index i = 0; i < turned.cols(); ++i) {
+        const Eigen::Array3d above = (turned.col(i) - low).array(), below = (high - turned.col(i)).array();
+        if ((above.min(below) > 1e-9 * size).any()) continue;
+        const Eigen::Array<bool, 3, 1> is_high = below < above;
+        corners |= 1U << (is_high[0] + 2 * is_high[1] + 4 * is_high[2]);
+    }
+    return corners == 0xffU;
+}
+
 /// Volume that still tells flat sets apart: sides are counted as at least a billionth of the size.
 double padded_volume(const Vec3& sides, double size) { return (sides.array() + 1e-9 * size).prod(); }
 
@@ -179,7 +193,7 @@ private:
 
 constexpr Eigen::Index most_points_for_triples = 8;
 constexpr double second_chance = 1.01;  // a second box this near in volume may turn out to be the smaller one
-constexpr double rough_gain = 0.02, fine_gain = 1e-7;  // a round of turning that gains less is the last
+constexpr double fine_gain = 1e-7;  // a round of turning that gains less is the last
 
 /// Numbers of the points that are extreme along one of the directions, ascending.
 std::vector<Eigen::Index> extreme_points(std::span<const Vec3> points, const Points& directions) {
@@ -327,12 +341,16 @@ OrientedBox smallest_box(std::span<const Vec3> points) {
     const double size = (active.rowwise().maxCoeff() - active.rowwise().minCoeff()).norm();
     if (!(size > 0)) return measured_box(points, Matrix3d::Identity());
 
+    if (const Matrix3d axes = principal_axes(active).axes; fills_its_corners(active, axes, size))
+        return measured_box(points, axes);
+
     std::vector<Turned> boxes;
     {
         Search search(active, size);
-        boxes = starting_boxes(search, active, active.cols() <= most_points_for_triples ? 24 : 8);
+        boxes = starting_boxes(search, active, active.cols() <= most_points_for_triples ? 12 : 8);
         const auto smaller = [](const Turned& a, const Turned& b) { return a.volume < b.volume; };
-        for (Turned& box : boxes) search.improve(box, rough_gain);
+        if (fills_its_corners(active, boxes.front().axes, size)) return measured_box(points, boxes.front().axes);
+        for (Turned& box : boxes) search.turn_exactly(box);
         std::stable_sort(boxes.begin(), boxes.end(), smaller);
         boxes.resize(std::min<std::size_t>(boxes.size(), 3));
         for (Turned& box : boxes) search.improve(box, fine_gain);

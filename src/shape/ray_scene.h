@@ -2,8 +2,12 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <span>
 
 #include "mesh/triangle_mesh.h"
+#include "shape/ray_tree.h"
+#include "shape/refine.h"
 
 namespace partonomy {
 
@@ -13,23 +17,36 @@ struct WallHit {
     std::int32_t triangle = -1;  ///< -1 when the ray leaves without meeting a wall
 };
 
-/// The triangles of a mesh in Embree's tree, for rays that travel inside the solid.
+/// A ray inside the solid.
+struct InnerRay {
+    Vec3 origin, direction;   ///< of unit length
+    std::int32_t self = -1;  ///< triangle that it starts on and passes, -1 for none
+};
+
+/// Rays that travel inside the solid that a mesh bounds.
 class RayScene {
 public:
-    /// Builds the tree; threads <= 0: all cores. Hits are the same on any number of threads.
+    /// Builds the tree; threads <= 0: all cores. Hits are the same on any number of threads. The mesh must outlive this.
     explicit RayScene(const TriangleMesh& mesh, int threads = 1);
-    ~RayScene();
-    RayScene(const RayScene&) = delete;
-    RayScene& operator=(const RayScene&) = delete;
+    /// With a tree of the mesh that is already there (or nullptr). With a refinement, rays meet the few large triangles
+    /// of `mesh`, but `self` and hits are told in the small ones of the refinement, which must outlive this.
+    RayScene(const TriangleMesh& mesh, std::shared_ptr<const RayTree> tree, const Refinement* refinement, int threads);
 
     /// The first wall that the ray leaves the solid through: the triangle's front looks along `direction`. Walls met
-    /// from outside and the triangle `self` that the ray starts on are passed. `direction` is a unit vector.
+    /// from outside and the triangle that the ray starts on are passed.
     /// Safe to call from several threads.
-    [[nodiscard]] WallHit exit_wall(const Vec3& origin, const Vec3& direction, std::int32_t self = -1) const;
+    [[nodiscard]] WallHit exit_wall(const InnerRay& ray) const;
+
+    /// exit_wall for up to 16 rays that are near each other, in a third of the time. `hits` has the size of `rays`.
+    void exit_walls(std::span<const InnerRay> rays, std::span<WallHit> hits) const;
 
 private:
-    struct Tree;
-    std::unique_ptr<Tree> tree;
+    /// What the ray's hit on triangle `met` is to the caller; nullopt for a wall to pass.
+    struct Met;
+    [[nodiscard]] std::optional<WallHit> judge(const InnerRay& ray, const Met& met) const;
+    const TriangleMesh& mesh_;
+    std::shared_ptr<const RayTree> tree_;
+    const Refinement* refinement_;
 };
 
 }  // namespace partonomy

@@ -4,13 +4,19 @@
 // edge alone, so both its triangles agree and no T-junction appears. A triangle with one, two or three cut edges
 // becomes two, three or four; of the two ways to cut the quadrilateral in the middle case the shorter diagonal is
 // taken. Meshes that are fine already pass unchanged. Cost: linear in the result.
+//
+// The rounds are kept, so that a point of a large triangle finds its piece by a few steps from round to round: rays are
+// shot at the large triangles, whose tree is built in a moment, and land on small ones.
+
+#include "shape/refine.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
-#include "shape/surface.h"
+#include "mesh/edges.h"
 
 namespace partonomy {
 
@@ -18,35 +24,31 @@ namespace {
 
 using Corners = std::array<std::int32_t, 3>;
 
-struct Edge {
-    std::int32_t low, high;
-    bool operator<(const Edge& other) const { return low != other.low ? low < other.low : high < other.high; }
-    bool operator==(const Edge& other) const { return low == other.low && high == other.high; }
-};
-
-Edge edge_of(std::int32_t a, std::int32_t b) { return a < b ? Edge{a, b} : Edge{b, a}; }
+constexpr std::uint8_t other_diagonal = 8;
 
 class Halver {
 public:
     Halver(TriangleMesh& mesh, double longest) : mesh_(mesh), limit_(longest * longest) {}
 
-    /// One round; false when no edge was too long.
-    bool halve() {
-        collect_long_edges();
-        if (long_.empty()) return false;
-        const auto first = static_cast<std::int32_t>(mesh_.positions.size());
-        for (const Edge& edge : long_)
-            mesh_.positions.push_back((mesh_.positions[edge.low] + mesh_.positions[edge.high]) / 2);
+    /// One round; nothing when no edge was too long.
+    std::optional<Refinement::Round> halve() {
+        if (!find_middles()) return std::nullopt;
+        Refinement::Round round;
         std::vector<Corners> triangles;
         std::vector<std::int32_t> faces;
+        triangles.reserve(4 * mesh_.triangles.size());
+        faces.reserve(4 * mesh_.triangles.size());
+        round.begins.reserve(mesh_.triangles.size());
+        round.pattern.reserve(mesh_.triangles.size());
         for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-            const std::size_t before = triangles.size();
-            cut(mesh_.triangles[t], first, triangles);
-            faces.insert(faces.end(), triangles.size() - before, mesh_.input_faces[t]);
+            round.begins.push_back(static_cast<std::int32_t>(triangles.size()));
+            round.pattern.push_back(
+                cut(mesh_.triangles[t], {middle_[3 * t], middle_[3 * t + 1], middle_[3 * t + 2]}, triangles));
+            faces.resize(triangles.size(), mesh_.input_faces[t]);
         }
         mesh_.triangles = std::move(triangles);
         mesh_.input_faces = std::move(faces);
-        return true;
+        return round;
     }
 
 private:
@@ -54,26 +56,29 @@ private:
         return (mesh_.positions[a] - mesh_.positions[b]).squaredNorm();
     }
 
-    void collect_long_edges() {
-        long_.clear();
-        for (const Corners& t : mesh_.triangles)
-            for (int e = 0; e < 3; ++e)
-                if (squared(t[e], t[(e + 1) % 3]) > limit_) long_.push_back(edge_of(t[e], t[(e + 1) % 3]));
-        std::sort(long_.begin(), long_.end());
-        long_.erase(std::unique(long_.begin(), long_.end()), long_.end());
+    /// Makes the vertex in the middle of each long edge; false when there is none.
+    bool find_middles() {
+        const auto is_long = [&](const Corners& t, int e) { return squared(t[e], t[(e + 1) % 3]) > limit_; };
+        if (std::ranges::none_of(mesh_.triangles,
+                                 [&](const Corners& t) { return is_long(t, 0) || is_long(t, 1) || is_long(t, 2); }))
+            return false;
+        middle_.assign(3 * mesh_.triangles.size(), -1);
+        const EdgeTable edges = build_edges(mesh_.triangles, mesh_.positions.size());
+        for (std::size_t i = 0; i < edges.size(); ++i) {
+            const std::int32_t h = edges[i].front();
+            const Corners& t = mesh_.triangles[h / 3];
+            if (!is_long(t, h % 3)) continue;
+            for (const std::int32_t half_edge : edges[i])
+                middle_[half_edge] = static_cast<std::int32_t>(mesh_.positions.size());
+            mesh_.positions.push_back((mesh_.positions[t[h % 3]] + mesh_.positions[t[(h % 3 + 1) % 3]]) / 2);
+        }
+        return true;
     }
 
-    /// The new vertex in the middle of an edge, or -1.
-    [[nodiscard]] std::int32_t middle(std::int32_t a, std::int32_t b, std::int32_t first) const {
-        if (squared(a, b) <= limit_) return -1;
-        const auto at = std::lower_bound(long_.begin(), long_.end(), edge_of(a, b));
-        return first + static_cast<std::int32_t>(at - long_.begin());
-    }
-
-    void cut(const Corners& t, std::int32_t first, std::vector<Corners>& out) const {
-        Corners m{};
-        int cuts = 0;
-        for (int e = 0; e < 3; ++e) cuts += (m[e] = middle(t[e], t[(e + 1) % 3], first)) >= 0;
+    /// Adds the pieces of a triangle whose edges have the middles `m`, -1 where an edge stays whole; their pattern.
+    std::uint8_t cut(const Corners& t, const Corners& m, std::vector<Corners>& out) const {
+        auto pattern = static_cast<std::uint8_t>((m[0] >= 0 ? 1 : 0) | (m[1] >= 0 ? 2 : 0) | (m[2] >= 0 ? 4 : 0));
+        const int cuts = (m[0] >= 0) + (m[1] >= 0) + (m[2] >= 0);
         if (cuts == 0) {
             out.push_back(t);
         } else if (cuts == 3) {
@@ -98,13 +103,15 @@ private:
             } else {
                 out.push_back({a, b, ca});
                 out.push_back({b, bc, ca});
+                pattern |= other_diagonal;
             }
         }
+        return pattern;
     }
 
     TriangleMesh& mesh_;
     double limit_;
-    std::vector<Edge> long_;
+    std::vector<std::int32_t> middle_;  ///< by half-edge
 };
 
 constexpr double fine_triangles = 2500;   // what a coarse mesh is cut into, about
@@ -125,15 +132,77 @@ double refinement_length(const TriangleMesh& mesh, double size) {
     return longest > limit * limit ? limit : std::numeric_limits<double>::infinity();
 }
 
-TriangleMesh refine(const TriangleMesh& mesh, double longest) {
-    TriangleMesh fine = mesh;
+Refinement refine(const TriangleMesh& mesh, double longest) {
+    Refinement refinement;
+    TriangleMesh& fine = refinement.mesh;
+    fine = mesh;
     fine.input_face_count = static_cast<std::int32_t>(mesh.triangles.size());
     for (std::size_t t = 0; t < fine.input_faces.size(); ++t) fine.input_faces[t] = static_cast<std::int32_t>(t);
-    if (!(longest < std::numeric_limits<double>::infinity())) return fine;
+    if (!(longest < std::numeric_limits<double>::infinity())) return refinement;
     Halver halver(fine, longest);
-    while (halver.halve()) {
+    while (std::optional<Refinement::Round> round = halver.halve()) refinement.rounds.push_back(std::move(*round));
+    return refinement;
+}
+
+// The piece that holds the point, and the point's barycentric coordinates there, follow from its coordinates in the
+// whole by writing the lost corners in terms of the middles: t1 = 2 m - t0 for m in the middle of t0 and t1.
+std::int32_t Refinement::piece_at(std::int32_t triangle, double u, double v) const {
+    std::array<double, 3> w{1 - u - v, u, v};
+    for (const Round& round : rounds) {
+        const std::uint8_t pattern = round.pattern[triangle];
+        triangle = round.begins[triangle];
+        switch (pattern & 7) {
+            case 0:
+                break;
+            case 7:
+                if (w[0] >= 0.5) {
+                    w = {w[0] - w[1] - w[2], 2 * w[1], 2 * w[2]};
+                } else if (w[1] >= 0.5) {
+                    w = {2 * w[0], w[1] - w[0] - w[2], 2 * w[2]};
+                    triangle += 1;
+                } else if (w[2] >= 0.5) {
+                    w = {2 * w[0], 2 * w[1], w[2] - w[0] - w[1]};
+                    triangle += 2;
+                } else {
+                    w = {w[0] + w[1] - w[2], w[1] + w[2] - w[0], w[0] + w[2] - w[1]};
+                    triangle += 3;
+                }
+                break;
+            case 1:
+            case 2:
+            case 4: {
+                const std::size_t e = (pattern & 7) == 4 ? 2 : (pattern & 7) - 1;
+                const double a = w[e], b = w[(e + 1) % 3], c = w[(e + 2) % 3];
+                if (a >= b) {
+                    w = {a - b, 2 * b, c};
+                } else {
+                    w = {2 * a, b - a, c};
+                    triangle += 1;
+                }
+                break;
+            }
+            default: {
+                const std::size_t stays = (pattern & 1) == 0 ? 0 : (pattern & 2) == 0 ? 1 : 2;
+                const double a = w[stays], b = w[(stays + 1) % 3], c = w[(stays + 2) % 3];
+                if (c >= 0.5) {
+                    w = {2 * a, 2 * b, c - a - b};
+                } else if ((pattern & other_diagonal) == 0) {
+                    triangle += b >= c ? 1 : 2;
+                    if (b >= c)
+                        w = {a, b - c, 2 * c};
+                    else
+                        w = {a + b - c, 2 * b, 2 * (c - b)};
+                } else {
+                    triangle += a >= c ? 1 : 2;
+                    if (a >= c)
+                        w = {a - c, b, 2 * c};
+                    else
+                        w = {a + b - c, 2 * (c - a), 2 * a};
+                }
+            }
+        }
     }
-    return fine;
+    return triangle;
 }
 
 }  // namespace partonomy

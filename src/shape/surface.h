@@ -18,17 +18,11 @@ struct Surface {
     TriangleGeometry geometry;  ///< of the fine triangles as they are
     std::vector<Vec3> normals;  ///< smoothed where the mesh is noisy
     Thickness thickness;        ///< along the smoothed normals
-    std::unique_ptr<RayScene> scene;
+    std::unique_ptr<RayScene> scene;  ///< the caller's triangles; hits are told in fine ones
     int threads = 1;       ///< to use; <= 0: all cores
     double size = 0;       ///< diagonal of the bounding box
 
     [[nodiscard]] std::size_t count() const { return mesh.triangles.size(); }
 };
-
-/// The same surface with every edge at most `longest`: edges are halved, so neighbours stay neighbours.
-[[nodiscard]] TriangleMesh refine(const TriangleMesh& mesh, double longest);
-
-/// The edge length that leaves a fine mesh of a few thousand triangles; infinity when the mesh is fine as it is.
-[[nodiscard]] double refinement_length(const TriangleMesh& mesh, double size);
 
 }  // namespace partonomy

@@ -28,7 +28,7 @@ protected:
     ~WriteOutputs() override { fs::remove_all(base_); }
 
     void write(const fs::path& folder, const std::set<std::string>& formats = everything) {
-        write_outputs(folder, formats, object_.mesh, object_.annotation, Vec3::UnitZ(), 2);
+        write_outputs(folder, formats, object_.mesh, object_.annotation, Vec3::UnitZ(), {.threads = 2});
     }
 
     std::string error(const fs::path& folder, const std::set<std::string>& formats = everything) {

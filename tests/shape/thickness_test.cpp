@@ -67,7 +67,7 @@ TEST(Thickness, PassesWallsThatAreMetFromOutside) {
     }
     mesh.input_face_count = static_cast<std::int32_t>(mesh.input_faces.size());
     const RayScene scene(mesh);
-    const WallHit hit = scene.exit_wall(Vec3(0.45, 0.5, 0.9), Vec3(0, 0, -1));
+    const WallHit hit = scene.exit_wall({Vec3(0.45, 0.5, 0.9), Vec3(0, 0, -1)});
     EXPECT_NEAR(hit.distance, 0.7, 1e-6);  // the small box's bottom is the first wall that is left
 }
 
