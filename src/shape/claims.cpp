@@ -315,7 +315,9 @@ void found_new_parts(const Surface& s, Parts& parts) {
         std::sort(piece.begin(), piece.end());
         for (const std::int32_t i : piece) {
             const std::int32_t o = s.thickness.opposites[i];
-            if (o >= 0 && std::binary_search(piece.begin(), piece.end(), o)) facing += s.geometry.areas[i];
+            // Noise makes neighbours face each other: such a ray goes hardly deeper than the triangle is large.
+            if (o < 0 || s.thickness.distances[i] < std::sqrt(s.geometry.areas[i])) continue;
+            if (std::binary_search(piece.begin(), piece.end(), o)) facing += s.geometry.areas[i];
         }
         if (facing < 0.6 * area) continue;
         Core core;

@@ -39,7 +39,7 @@ std::vector<Vec3> main_axes(const Surface& s, const Parts& parts) {
 }  // namespace
 
 void merge_parts(const Surface& s, Parts& parts) {
-    constexpr double facing = 0.4;
+    constexpr double facing = 0.4, unlike = 1.8;
     for (bool changed = true; changed;) {
         changed = false;
         std::vector<double> area(parts.parts.size(), 0.0);
@@ -69,6 +69,11 @@ void merge_parts(const Surface& s, Parts& parts) {
             if (area[a] > area[b] || length < 0.5 * border[a]) continue;
             if (parts.parts[a].kind == Solidity::board || parts.parts[b].kind == Solidity::board) continue;
             if (std::abs(axes[a].dot(axes[b])) < 0.8) continue;
+            // Sticks that are one meet all around, not only where noise lets their cores touch; unless they are alike in
+            // thickness, nothing but a whole ring will do.
+            const double thin = std::min(parts.parts[a].thickness, parts.parts[b].thickness);
+            const double thick = std::max(parts.parts[a].thickness, parts.parts[b].thickness);
+            if (length < (thick > unlike * thin ? 3 : 2) * thin) continue;
             seen[{a, b}] += area[a];
         }
         std::vector<std::int32_t> into(parts.parts.size(), -1);
