@@ -91,7 +91,7 @@ public:
         for (const LiteralWeight& each : weights) {
             if (!(each.weight >= 0) || std::isinf(each.weight))
                 throw std::invalid_argument("Diagram: the weight of a literal should be a number that is not negative");
-            if constexpr (std::is_same_v<Number, Scaled>) weights_[checked(each.literal)] = Number(each.weight);
+            if constexpr (std::is_same_v<Number, Scaled>) weights_[checked(each.literal)] *= Number(each.weight);
         }
         for (const int literal : evidence) weights_[checked(-literal)] = Number(0);
         up_.reserve(nodes.nodes.size());

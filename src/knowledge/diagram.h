@@ -27,7 +27,7 @@ struct DiagramOptions {
 /// A literal that counts for more or less than 1, say an answer that is likely but not sure.
 struct LiteralWeight {
     int literal;
-    double weight;  ///< >= 0; 0 is hard evidence against it
+    double weight;  ///< >= 0; 0 is hard evidence against it; several for one literal multiply
 };
 
 /// The share of each literal in all models (or in their weights).
