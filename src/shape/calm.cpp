@@ -17,8 +17,9 @@ namespace partonomy {
 
 namespace {
 
-constexpr double calm_degrees = 3;
+constexpr double clean_degrees = 0.3, calm_degrees = 3;
 constexpr int most_rounds = 12, steps_a_round = 3;
+constexpr double grain = 3;  // of the root of the mean area of a triangle
 constexpr double forth = 0.6, back = -0.62;
 constexpr std::size_t most_samples = 6000;
 
@@ -59,8 +60,10 @@ double roughness(const Adjacency& adjacency, const TriangleGeometry& geometry) {
     return std::acos(std::clamp(*middle, -1.0, 1.0)) * 180 / std::numbers::pi;
 }
 
-bool calm(TriangleMesh& mesh, const Adjacency& adjacency, TriangleGeometry& geometry) {
-    if (roughness(adjacency, geometry) < calm_degrees) return false;
+double calm(TriangleMesh& mesh, const Adjacency& adjacency, TriangleGeometry& geometry) {
+    if (roughness(adjacency, geometry) < clean_degrees) return 0;
+    double area = 0;
+    for (const double a : geometry.areas) area += a;
     std::vector<Vec3> sum;
     std::vector<std::int32_t> count;
     for (int round = 0; round < most_rounds; ++round) {
@@ -71,7 +74,7 @@ bool calm(TriangleMesh& mesh, const Adjacency& adjacency, TriangleGeometry& geom
         geometry = compute_geometry(mesh);
         if (roughness(adjacency, geometry) < calm_degrees) break;
     }
-    return true;
+    return grain * std::sqrt(area / static_cast<double>(geometry.areas.size()));
 }
 
 }  // namespace partonomy

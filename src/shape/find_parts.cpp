@@ -12,6 +12,7 @@
 //   claims     sticks are cut where a board crosses them; boards take their rims and corners (claims.cpp)
 //   fill       what is left goes to the part that reaches it first, concave creases being far to cross (fill.cpp)
 //   merge      two parts that face each other at close range, or continue each other, are one (merge.cpp)
+//   settle     borders of fine meshes move to the creases nearby (settle.cpp)
 //   vote       each triangle of the caller goes to the part that holds most of its area; regions are made connected
 //   boxes      smallest boxes with lengths that noise does not inflate, fitting scores (part_box.cpp)
 //
@@ -187,7 +188,8 @@ std::vector<PartRegion> find_parts(const TriangleMesh& mesh, const FindPartsOpti
     s.adjacency = build_adjacency(s.mesh);
     s.geometry = compute_geometry(s.mesh);
     clock.done("adjacency");
-    const bool was_rough = calm(s.mesh, s.adjacency, s.geometry);
+    s.grain = calm(s.mesh, s.adjacency, s.geometry);
+    const bool was_rough = s.grain > 0;
     s.normals = s.geometry.normals;
     clock.done("calm");
     s.scene = std::make_unique<RayScene>(s.mesh, options.threads);
@@ -208,6 +210,8 @@ std::vector<PartRegion> find_parts(const TriangleMesh& mesh, const FindPartsOpti
     merge_parts(s, parts);
     clock.done("merge");
     const bool is_refined = s.mesh.triangles.size() != mesh.triangles.size();
+    if (!is_refined) settle_borders(s, parts);
+    clock.done("settle");
     TriangleMesh calmed;  // the caller's triangles, when they were rough
     if (was_rough) {
         calmed = mesh;
