@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "knowledge/domain.h"
+#include "knowledge/split_criterion.h"
 
 namespace partonomy::knowledge {
 
@@ -20,12 +21,6 @@ struct Question {
 
 /// The configurations in which the answer to the question is yes.
 [[nodiscard]] ConfigurationSet yes_set(const Space& space, Question question);
-
-/// How the next question is chosen.
-enum class SplitCriterion {
-    dichotomy,      ///< splits the configurations most evenly (paper §3.3.1)
-    gain_per_cost,  ///< most information about the wanted labels per unit of cost
-};
 
 /// What makes the choice.
 struct PlanOptions {

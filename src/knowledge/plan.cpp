@@ -96,7 +96,7 @@ std::optional<Question> Planner::best(const ConfigurationSet& set) const {
 std::optional<Question> Planner::best_split(const ConfigurationSet& set) const {
     const std::size_t count = set.count();
     std::vector<ConfigurationSet> labels;
-    if (options_.criterion == SplitCriterion::gain_per_cost)
+    if (options_.criterion != SplitCriterion::dichotomy)
         for (const ConfigurationSet& label : labels_)
             if (label.intersects(set)) labels.push_back(label & set);
     const auto n = static_cast<double>(count);
@@ -118,14 +118,15 @@ std::optional<Question> Planner::best_split(const ConfigurationSet& set) const {
             even.offer(candidate.question, smaller);
             continue;
         }
-        even.offer(candidate.question, smaller / *price);
+        const double divisor = options_.criterion == SplitCriterion::gain_per_cost ? *price : 1;
+        even.offer(candidate.question, smaller / divisor);
         // n times the gain: n H - (yes H_yes + no H_no)
         double bits = entropy_sum(n) - entropy_sum(yes) - entropy_sum(n - yes) - open;
         for (std::size_t c = 0; c < labels.size(); ++c) {
             const auto inside = static_cast<double>(labels[c].count_common(candidate.yes));
             bits += entropy_sum(inside) + entropy_sum(sizes[c] - inside);
         }
-        if (bits > 1e-9 * n) gain.offer(candidate.question, bits / n / *price);
+        if (bits > 1e-9 * n) gain.offer(candidate.question, bits / n / divisor);
     }
     return gain.question ? gain.question : even.question;
 }

@@ -45,6 +45,13 @@ void Solver::add_new(const Clauses& clauses) {
     engine_->cadical.reserve(engine_->variables);
 }
 
+void Solver::require(std::span<const int> literals) {
+    for (const int literal : literals) {
+        engine_->cadical.add(literal);
+        engine_->cadical.add(0);
+    }
+}
+
 Verdict Solver::solve(std::span<const int> assumptions) {
     return engine_->run(assumptions) ? Verdict::satisfiable : Verdict::unsatisfiable;
 }

@@ -21,6 +21,9 @@ public:
     /// Adds the clauses of `clauses` that it had not when this was last called (or constructed).
     void add_new(const Clauses& clauses);
 
+    /// Makes literals true in this solver from now on, though not in the clauses.
+    void require(std::span<const int> literals);
+
     /// Whether the formula has a model in which all assumptions are true.
     [[nodiscard]] Verdict solve(std::span<const int> assumptions = {});
     /// After `satisfiable`: whether the variable is true in the model found.

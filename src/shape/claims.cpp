@@ -37,26 +37,30 @@ Frame local_frame(const Surface& s, std::int32_t i) {
 struct PlaneFit {
     Frame frame;
     double deviation = 0;  ///< root mean square distance of the middle points from the plane
+    double spread = 0;     ///< root mean square difference of half the thickness from the mean
 };
 
 PlaneFit fit_plane_to(const Surface& s, const std::vector<std::int32_t>& triangles) {
     Vec3 centre = Vec3::Zero();
-    double area = 0, half = 0;
+    double area = 0, half = 0, half_square = 0;
     for (const std::int32_t i : triangles) {
         const Frame f = local_frame(s, i);
         centre += s.geometry.areas[i] * f.middle;
         half += s.geometry.areas[i] * f.half;
+        half_square += s.geometry.areas[i] * f.half * f.half;
         area += s.geometry.areas[i];
     }
     centre /= area;
+    half /= area;
     Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
     for (const std::int32_t i : triangles) {
         const Vec3 d = local_frame(s, i).middle - centre;
         spread += s.geometry.areas[i] * d * d.transpose();
     }
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(spread);
-    return {{centre, eigen.eigenvectors().col(0), half / area},
-            std::sqrt(std::max(0.0, eigen.eigenvalues()[0]) / area)};
+    return {{centre, eigen.eigenvectors().col(0), half},
+            std::sqrt(std::max(0.0, eigen.eigenvalues()[0]) / area),
+            std::sqrt(std::max(0.0, half_square / area - half * half))};
 }
 
 /// The middle plane of a board's core; triangles that stray from it are left out while most of the core agrees.
@@ -153,7 +157,7 @@ void absorb_rims(const Surface& s, const Vec3& up, Parts& parts) {
         const Frame plane = fit_plane(s, board).frame;
         for (std::size_t k = 0; k < parts.parts.size(); ++k) {
             Core& rim = parts.parts[k];
-            if (rim.kind == Solidity::board || rim.triangles.empty() || rim.area > 0.25 * board.area) continue;
+            if (static_cast<std::int32_t>(k) == b || rim.triangles.empty() || rim.area > 0.25 * board.area) continue;
             double within = 0;
             for (const std::int32_t i : rim.triangles)
                 if (std::abs((s.geometry.barycentres[i] - plane.middle).dot(plane.normal)) < plane.half + rim.thickness)
@@ -219,8 +223,9 @@ public:
         const Core& board = parts_.parts[number];
         const PlaneFit fit = fit_plane(s_, board);
         flat_ = fit.deviation < planar * board.thickness;
-        exact_ = fit.deviation < 0.01 * board.thickness;
+        exact_ = fit.deviation < 0.01 * board.thickness && fit.spread < 0.03 * board.thickness;
         plane_ = fit.frame;
+        room_ = exact * plane_.half + std::min(2 * (fit.deviation + fit.spread), most_noise * plane_.half);
         if (exact_) release_strays(number);
         Core& part = parts_.parts[number];
         part.is_exact = exact_;
@@ -262,7 +267,7 @@ private:
             const bool concave = way.dot(s_.normals[from]) > 0;
             if (concave && s_.normals[from].dot(s_.normals[j]) < crease) return;
             const double u = (s_.geometry.barycentres[j] - f.middle).dot(f.normal);
-            if (std::abs(u) > f.half * (flat_ ? exact : loose)) return;
+            if (std::abs(u) > (flat_ ? room_ : f.half * loose)) return;
         }
         frame_[j] = frame_[from];
         beyond_[j] = beyond;
@@ -271,7 +276,7 @@ private:
     }
 
     static constexpr double planar = 0.12;  // of the thickness: less deviation from a plane is none
-    static constexpr double exact = 1.02, loose = 1.1;
+    static constexpr double exact = 1.02, loose = 1.1, most_noise = 0.35;
     static constexpr double reach = 4;      // thicknesses beyond the last sure place
     static constexpr double thicker = 1.5;  // parts by so much thicker may lose their triangles to a board's rim
     static constexpr double crease = 0.866;
@@ -284,6 +289,7 @@ private:
     std::int32_t board_ = -1;
     bool flat_ = false, exact_ = false;
     Frame plane_;
+    double room_ = 0;  ///< how far from the middle plane the board may go
 };
 
 }  // namespace
@@ -315,7 +321,9 @@ void found_new_parts(const Surface& s, Parts& parts) {
         std::sort(piece.begin(), piece.end());
         for (const std::int32_t i : piece) {
             const std::int32_t o = s.thickness.opposites[i];
-            if (o >= 0 && std::binary_search(piece.begin(), piece.end(), o)) facing += s.geometry.areas[i];
+            // Noise makes neighbours face each other: such a ray goes hardly deeper than the triangle is large.
+            if (o < 0 || s.thickness.distances[i] < std::sqrt(s.geometry.areas[i])) continue;
+            if (std::binary_search(piece.begin(), piece.end(), o)) facing += s.geometry.areas[i];
         }
         if (facing < 0.6 * area) continue;
         Core core;
@@ -326,7 +334,7 @@ void found_new_parts(const Surface& s, Parts& parts) {
         for (const std::int32_t i : piece) all.push_back(s.thickness.distances[i]);
         std::nth_element(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2), all.end());
         core.thickness = all[all.size() / 2];
-        if (area < 3 * core.thickness * core.thickness) continue;
+        if (core.thickness < s.grain || area < 3 * core.thickness * core.thickness) continue;
         for (const std::int32_t i : piece) parts.part_of[i] = static_cast<std::int32_t>(parts.parts.size());
         parts.parts.push_back(std::move(core));
     }

@@ -33,4 +33,7 @@ void merge_parts(const Surface& surface, Parts& parts);
 /// Gives every triangle that is still free to the part that reaches it first; concave creases are far to cross.
 void fill(const Surface& surface, Parts& parts);
 
+/// Moves the borders between parts to creases nearby.
+void settle_borders(const Surface& surface, Parts& parts);
+
 }  // namespace partonomy

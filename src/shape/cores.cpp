@@ -394,7 +394,7 @@ std::vector<Core> divide(const Surface& s, std::vector<Core> components, double 
     const auto too_small = [&](Core& core) {
         if (core.area < least_share * total_area) return true;
         core.thickness = median_thickness(s, core.triangles);
-        return core.area < least_cubes * core.thickness * core.thickness;
+        return core.thickness < s.grain || core.area < least_cubes * core.thickness * core.thickness;
     };
     std::vector<Core> cores;
     for (Core& component : components) {

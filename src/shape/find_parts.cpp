@@ -5,12 +5,14 @@
 // all parts grow at once, on measurements that are local, so that bent boards and round sticks are in scope:
 //
 //   refine     large triangles are cut, so that a CAD mesh and a scan look alike (refine.cpp)
+//   calm       a rough mesh is smoothed, so that all later steps see walls (calm.cpp)
 //   rays       the distance to the opposite wall of each triangle (thickness.cpp)
 //   cores      walls of alike thickness grow together with their opposite walls; the result is cut where it changes
 //              between board and stick or turns a corner (cores.cpp)
 //   claims     sticks are cut where a board crosses them; boards take their rims and corners (claims.cpp)
 //   fill       what is left goes to the part that reaches it first, concave creases being far to cross (fill.cpp)
 //   merge      two parts that face each other at close range, or continue each other, are one (merge.cpp)
+//   settle     borders of fine meshes move to the creases nearby (settle.cpp)
 //   vote       each triangle of the caller goes to the part that holds most of its area; regions are made connected
 //   boxes      smallest boxes with lengths that noise does not inflate, fitting scores (part_box.cpp)
 //
@@ -25,6 +27,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "shape/calm.h"
 #include "shape/claims.h"
 #include "shape/cores.h"
 #include "shape/part_box.h"
@@ -186,10 +189,15 @@ std::vector<PartRegion> find_parts(const TriangleMesh& mesh, const FindPartsOpti
     clock.done("refine");
     s.adjacency = build_adjacency(s.mesh);
     s.geometry = compute_geometry(s.mesh);
-    s.normals = s.geometry.normals;
     clock.done("adjacency");
-    s.scene = std::make_unique<RayScene>(mesh, options.tree, &refinement, options.threads);
-    if (!options.tree) clock.done("tree");
+    s.grain = calm(s.mesh, s.adjacency, s.geometry);
+    const bool was_rough = s.grain > 0;
+    s.normals = s.geometry.normals;
+    clock.done("calm");
+    // A calmed mesh is another one: the caller's triangles are no longer what rays should meet.
+    s.scene = was_rough ? std::make_unique<RayScene>(s.mesh, options.threads)
+                        : std::make_unique<RayScene>(mesh, options.tree, &refinement, options.threads);
+    if (was_rough || !options.tree) clock.done("tree");
     s.thickness = measure_thickness(*s.scene, s.geometry, options.threads);
     clock.done("rays");
     Cores cores = find_cores(s);
@@ -206,11 +214,19 @@ std::vector<PartRegion> find_parts(const TriangleMesh& mesh, const FindPartsOpti
     merge_parts(s, parts);
     clock.done("merge");
     const bool is_refined = s.mesh.triangles.size() != mesh.triangles.size();
-    const TriangleGeometry geometry = is_refined ? compute_geometry(mesh) : s.geometry;
+    if (!is_refined) settle_borders(s, parts);
+    clock.done("settle");
+    TriangleMesh calmed;  // the caller's triangles, when they were rough
+    if (was_rough) {
+        calmed = mesh;
+        std::copy_n(s.mesh.positions.begin(), mesh.positions.size(), calmed.positions.begin());
+    }
+    const TriangleMesh& measured = was_rough ? calmed : mesh;
+    const TriangleGeometry geometry = is_refined ? compute_geometry(measured) : s.geometry;
     std::vector<std::int32_t> part_of = vote(s, parts.part_of);
-    connect(mesh, is_refined ? build_adjacency(mesh) : s.adjacency, geometry, part_of);
+    connect(measured, is_refined ? build_adjacency(mesh) : s.adjacency, geometry, part_of);
     clock.done("vote");
-    std::vector<PartRegion> regions = collect(mesh, geometry, part_of, options.threads);
+    std::vector<PartRegion> regions = collect(measured, geometry, part_of, options.threads);
     clock.done("boxes");
     return regions;
 }

@@ -1,8 +1,10 @@
 // Parts that are one after all.
 //
-// A part that faces another one for a good deal of its area lies across it in the same solid: two walls of one leg. And
-// two sticks in one line that pass into each other over most of their common border, without a concave crease, are one.
-// Cost: O(n) a round; a round joins at least one pair.
+// A part that faces another one for a good deal of its area lies across it in the same solid: two walls of one leg. Two
+// sticks are one when they are in line and pass into each other over most of their common border, without a concave
+// crease; when one of them is a stump without a direction and they lie to both sides of a ring, like two halves of a
+// stick that was sawn through; or when they lie in the same place, as do the two pairs of walls of a stick whose edges
+// noise has torn open. Cost: O(n) a round; a round joins at least one pair.
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -15,9 +17,16 @@ namespace partonomy {
 
 namespace {
 
-std::vector<Vec3> main_axes(const Surface& s, const Parts& parts) {
-    std::vector<Vec3> sum(parts.parts.size(), Vec3::Zero());
-    std::vector<double> area(parts.parts.size(), 0.0);
+/// Where each part is and which way it runs.
+struct Lie {
+    Vec3 middle = Vec3::Zero(), axis = Vec3::Zero();
+    double length = 0;
+    Vec3 inside = Vec3::Zero();  ///< mean of the points halfway between its walls
+};
+
+std::vector<Lie> lies(const Surface& s, const Parts& parts) {
+    std::vector<Vec3> sum(parts.parts.size(), Vec3::Zero()), inside(parts.parts.size(), Vec3::Zero());
+    std::vector<double> area(parts.parts.size(), 0.0), walls(parts.parts.size(), 0.0);
     std::vector<Eigen::Matrix3d> spread(parts.parts.size(), Eigen::Matrix3d::Zero());
     for (std::size_t i = 0; i < s.count(); ++i) {
         const std::int32_t k = parts.part_of[i];
@@ -26,20 +35,68 @@ std::vector<Vec3> main_axes(const Surface& s, const Parts& parts) {
         sum[k] += s.geometry.areas[i] * b;
         spread[k] += s.geometry.areas[i] * b * b.transpose();
         area[k] += s.geometry.areas[i];
+        const std::int32_t o = s.thickness.opposites[i];
+        if (o < 0 || parts.part_of[o] != k) continue;
+        inside[k] += s.geometry.areas[i] * (b - s.normals[i] * (s.thickness.distances[i] / 2.0));
+        walls[k] += s.geometry.areas[i];
     }
-    std::vector<Vec3> axes(parts.parts.size(), Vec3::Zero());
-    for (std::size_t k = 0; k < axes.size(); ++k)
-        if (area[k] > 0)
-            axes[k] = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread[k] - sum[k] * sum[k].transpose() / area[k])
-                          .eigenvectors()
-                          .col(2);
-    return axes;
+    std::vector<Lie> result(parts.parts.size());
+    for (std::size_t k = 0; k < result.size(); ++k) {
+        if (!(area[k] > 0)) continue;
+        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(spread[k] / area[k] -
+                                                                   sum[k] * sum[k].transpose() / (area[k] * area[k]));
+        result[k].middle = sum[k] / area[k];
+        result[k].axis = eigen.eigenvectors().col(2);
+        result[k].length = std::sqrt(12 * std::max(0.0, eigen.eigenvalues()[2]));  // of a straight line
+        result[k].inside = walls[k] > 0 ? Vec3(inside[k] / walls[k]) : result[k].middle;
+    }
+    return result;
+}
+
+/// The common border of two parts.
+struct Border {
+    double smooth = 0;                 ///< length without a concave crease
+    Vec3 start_to_end = Vec3::Zero();  ///< sum of the edges; none for rings
+    Vec3 sum = Vec3::Zero(), turn = Vec3::Zero();
+    double length = 0;
+
+    void add(const Vec3& from, const Vec3& to) {
+        const double edge = (to - from).norm();
+        start_to_end += to - from;
+        sum += edge * (from + to) / 2;
+        turn += from.cross(to);
+        length += edge;
+    }
+    [[nodiscard]] Vec3 centre() const { return sum / length; }
+    /// Across the ring, as long as what it encloses is large.
+    [[nodiscard]] Vec3 area() const { return (turn - centre().cross(start_to_end)) / 2; }
+};
+
+/// Whether a piece too short to have a direction and another one lie to either side of a ring, as the halves of a stick
+/// do that was sawn through.
+bool is_sawn(const Border& border, const Lie& a, const Lie& b, double thickness) {
+    constexpr double straight = 0.85, least_section = 0.3, stump = 2;
+    const Vec3 area = border.area();
+    if (std::min(a.length, b.length) > stump * thickness) return false;
+    if (area.norm() < least_section * thickness * thickness) return false;
+    const Vec3 to_a = (a.middle - border.centre()).normalized(), to_b = (b.middle - border.centre()).normalized();
+    const double along_a = to_a.dot(area.normalized()), along_b = to_b.dot(area.normalized());
+    return along_a * along_b < 0 && std::min(std::abs(along_a), std::abs(along_b)) > straight;
+}
+
+/// Whether two sticks lie in the same place, as do the two pairs of walls of one stick.
+bool is_same_place(const Lie& a, const Lie& b, double thickness) {
+    constexpr double long_enough = 1.5, beside = 0.35, straight = 0.9;
+    if (std::min(a.length, b.length) < long_enough * thickness || std::abs(a.axis.dot(b.axis)) < straight) return false;
+    const Vec3 way = b.inside - a.inside;
+    const double along = way.dot(b.axis);
+    return (way - along * b.axis).norm() < beside * thickness && std::abs(along) < (a.length + b.length) / 4;
 }
 
 }  // namespace
 
 void merge_parts(const Surface& s, Parts& parts) {
-    constexpr double facing = 0.4;
+    constexpr double facing = 0.4, unlike = 1.8;
     for (bool changed = true; changed;) {
         changed = false;
         std::vector<double> area(parts.parts.size(), 0.0);
@@ -52,23 +109,34 @@ void merge_parts(const Surface& s, Parts& parts) {
                 seen[{own, parts.part_of[o]}] += s.geometry.areas[i];
         }
         std::vector<double> border(parts.parts.size(), 0.0);
-        std::map<std::pair<std::int32_t, std::int32_t>, double> smooth;
+        std::map<std::pair<std::int32_t, std::int32_t>, Border> borders;
         for (std::size_t i = 0; i < s.count(); ++i)
             for (int e = 0; e < 3; ++e) {
                 const std::int32_t own = parts.part_of[i], j = s.adjacency.neighbours[i][e];
                 if (own < 0 || j < 0 || parts.part_of[j] < 0 || parts.part_of[j] == own) continue;
                 const auto& corners = s.mesh.triangles[i];
-                const double length = (s.mesh.positions[corners[e]] - s.mesh.positions[corners[(e + 1) % 3]]).norm();
-                border[own] += length;
+                const Vec3 &from = s.mesh.positions[corners[e]], &to = s.mesh.positions[corners[(e + 1) % 3]];
+                Border& common = borders[{own, parts.part_of[j]}];
+                common.add(from, to);
+                border[own] += (to - from).norm();
                 const bool concave = (s.geometry.barycentres[j] - s.geometry.barycentres[i]).dot(s.normals[i]) > 0;
-                if (!concave || s.normals[i].dot(s.normals[j]) > 0.94) smooth[{own, parts.part_of[j]}] += length;
+                if (!concave || s.normals[i].dot(s.normals[j]) > 0.94) common.smooth += (to - from).norm();
             }
-        const std::vector<Vec3> axes = main_axes(s, parts);
-        for (const auto& [pair, length] : smooth) {
+        const std::vector<Lie> lie = lies(s, parts);
+        for (const auto& [pair, common] : borders) {
             const auto [a, b] = pair;
-            if (area[a] > area[b] || length < 0.5 * border[a]) continue;
+            if (area[a] > area[b]) continue;
             if (parts.parts[a].kind == Solidity::board || parts.parts[b].kind == Solidity::board) continue;
-            if (std::abs(axes[a].dot(axes[b])) < 0.8) continue;
+            const double thin = std::min(parts.parts[a].thickness, parts.parts[b].thickness);
+            const double thick = std::max(parts.parts[a].thickness, parts.parts[b].thickness);
+            const bool alike = thick < unlike * thin;
+            // Sticks in line meet all around, not only where noise lets their cores touch; unless they are alike in
+            // thickness, nothing but a whole ring will do.
+            const bool meet = common.smooth > 0.5 * border[a] && common.smooth > (alike ? 2 : 3) * thin;
+            const bool in_line = std::abs(lie[a].axis.dot(lie[b].axis)) > 0.8;
+            if (!(meet && (in_line || (alike && is_sawn(common, lie[a], lie[b], thin)))) &&
+                !(alike && is_same_place(lie[a], lie[b], thin)))
+                continue;
             seen[{a, b}] += area[a];
         }
         std::vector<std::int32_t> into(parts.parts.size(), -1);

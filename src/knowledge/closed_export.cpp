@@ -1,0 +1,104 @@
+/* The closed knowledge base in plain OWL 2, so that any reasoner can be asked the same questions. "There are no other
+   individuals" is owl:Thing EquivalentTo {…}; that data properties may have any literal is what OWL says anyway. */
+
+#include <algorithm>
+#include <set>
+
+#include "base/errors.h"
+#include "knowledge/closed_world.h"
+#include "knowledge/data_cells.h"
+#include "owl/words.h"
+
+namespace partonomy::knowledge {
+namespace {
+
+using owl::ClassExpression;
+using owl::ClassPointer;
+
+bool is_anonymous(const Iri& iri) { return iri.starts_with("_:"); }
+
+/// owl:oneOf wants names.
+Iri name_of(const Iri& iri) { return is_anonymous(iri) ? "urn:anonymous:" + iri.substr(2) : iri; }
+
+class Closer {
+public:
+    [[nodiscard]] owl::Axiom closed(owl::Axiom axiom) const {
+        for (ClassPointer& expression : axiom.classes) expression = closed(expression);
+        for (Iri& iri : axiom.individuals) iri = name_of(iri);
+        axiom.range = range_of(axiom.range);
+        if (axiom.rule != nullptr) {
+            auto rule = std::make_shared<owl::Rule>(*axiom.rule);
+            for (auto* side : {&rule->body, &rule->head})
+                for (owl::RuleAtom& atom : *side) close(atom);
+            axiom.rule = std::move(rule);
+        }
+        return axiom;
+    }
+
+private:
+    [[nodiscard]] static owl::DataRange range_of(const owl::DataRange& range) {
+        try {
+            return closed::with_typed_facets(range);
+        } catch (const closed::CannotGround&) {
+            return range;  // to export is not to judge
+        }
+    }
+
+    void close(owl::RuleAtom& atom) const {
+        if (atom.klass != nullptr) atom.klass = closed(atom.klass);
+        atom.range = range_of(atom.range);
+        for (owl::RuleTerm& term : atom.arguments)
+            if (term.kind == owl::RuleTerm::Kind::individual) term.iri = name_of(term.iri);
+    }
+
+    [[nodiscard]] ClassPointer closed(const ClassPointer& expression) const {
+        auto result = std::make_shared<ClassExpression>(*expression);
+        for (ClassPointer& operand : result->operands) operand = closed(operand);
+        for (Iri& iri : result->individuals) iri = name_of(iri);
+        result->range = range_of(result->range);
+        return result;
+    }
+};
+
+}  // namespace
+
+owl::Ontology closed_ontology(const ClosedWorld& world) {
+    std::set<Iri> everybody(world.individuals.begin(), world.individuals.end());
+    for (const Iri& iri : individuals_of(world.ontology)) everybody.insert(name_of(iri));
+    if (everybody.empty())
+        throw UsageError("a closed world needs at least one individual, and the ontology names none; add one");
+
+    owl::Ontology result = world.ontology;
+    for (owl::Axiom& axiom : result.axioms) axiom = Closer().closed(axiom);
+    std::erase_if(result.entities, [](const owl::Entity& entity) { return is_anonymous(entity.iri); });
+    for (const Iri& iri : everybody)
+        if (result.find(iri, owl::EntityKind::individual) == nullptr) {
+            const auto place =
+                std::ranges::lower_bound(result.entities, std::tuple(iri, owl::EntityKind::individual), {},
+                                         [](const owl::Entity& entity) { return std::tuple(entity.iri, entity.kind); });
+            result.entities.insert(place, {owl::EntityKind::individual, iri, {}});
+        }
+
+    auto all = std::make_shared<ClassExpression>();
+    all->kind = owl::ClassKind::one_of;
+    all->individuals.assign(everybody.begin(), everybody.end());
+    auto thing = std::make_shared<ClassExpression>();
+    thing->kind = owl::ClassKind::named;
+    thing->iri = std::string(owl::owl_prefix) + "Thing";
+    owl::Axiom closure{};
+    closure.kind = owl::AxiomKind::equivalent_classes;
+    closure.classes = {thing, all};
+    result.axioms.push_back(std::move(closure));
+
+    std::set<Iri> different;
+    for (const Iri& iri : world.individuals) different.insert(name_of(iri));
+    if (different.size() > 1) {
+        owl::Axiom axiom{};
+        axiom.kind = owl::AxiomKind::different_individuals;
+        axiom.individuals.assign(different.begin(), different.end());
+        result.axioms.push_back(std::move(axiom));
+    }
+    return result;
+}
+
+}  // namespace partonomy::knowledge
