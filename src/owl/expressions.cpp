@@ -265,6 +265,7 @@ Expressions::Made Expressions::make(Node node, long line) {
                 case Word::rdfs_subClassOf:
                 case Word::owl_equivalentClass:
                 case Word::owl_disjointWith:
+                case Word::owl_hasKey:
                     break;  // axioms about the expression
                 default:
                     other = &triple;

@@ -72,7 +72,7 @@ Expressions::Made Expressions::restriction(Node node, long line) {
         const Triple& triple = graph_.triples[i];
         const Word word = term(triple.predicate).word;
         if (word == Word::rdf_type || word == Word::rdfs_subClassOf || word == Word::owl_equivalentClass ||
-            word == Word::owl_disjointWith) {
+            word == Word::owl_disjointWith || word == Word::owl_hasKey) {
             continue;
         }
         used[i] = 1;

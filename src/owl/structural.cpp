@@ -268,8 +268,10 @@ void StructuralReader::inverse_properties(const Construct& axiom, const Construc
                                           const std::vector<Note>& notes) {
     const auto is_inverse = [](const Construct& part) { return part.kind == Construct::Kind::call; };
     if (is_inverse(first) && is_inverse(second)) {
-        static_cast<void>(object_property(first));
-        static_cast<void>(object_property(second));
+        for (const Construct* side : {&first, &second}) {
+            if (side->name != "ObjectInverseOf") misplaced(*side, "an object property");
+            want(*side, 0, 1, 1);
+        }
         return inverse_properties(axiom, first.parts[0], second.parts[0], notes);
     }
     const Node left = object_property(is_inverse(first) ? second : first);
