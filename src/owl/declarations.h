@@ -25,10 +25,13 @@ struct Declarations {
 private:
     void add(const Iri& iri, EntityKind kind) { kinds_[iri] |= 1U << static_cast<unsigned>(kind); }
     std::map<Iri, unsigned> kinds_;
+    std::map<Iri, unsigned> built_in_;
 };
 
+class AnonymousNames;
+
 /// Adds what `graph` says to `ontology`: axioms, annotations, and individuals that are used without a declaration.
-/// Throws OntologyError for anything that is no OWL 2, and for the few things of OWL 2 that are not covered.
-void map_axioms(const Graph& graph, const Declarations& declarations, Ontology& ontology);
+/// Throws OntologyError for anything that is no OWL 2.
+void map_axioms(const Graph& graph, const Declarations& declarations, AnonymousNames& names, Ontology& ontology);
 
 }  // namespace partonomy::owl

@@ -1,7 +1,8 @@
 // Class expressions out of triples: the reverse of "Mapping to RDF Graphs" (W3C OWL 2, 2012, tables 11 to 15). A blank
 // node is an expression; its triples say which. Where OWL 2 insists on a type (owl:Class, owl:Restriction) for the
 // blank node we do not, since the other triples leave no doubt. A shared blank node is read once; the size that it
-// would have when written out is bounded, so that no reader downstream meets an exponential expression.
+// would have when written out is bounded, so that no reader downstream meets an exponential expression. Restrictions
+// are in restrictions.cpp, data ranges in data_ranges.cpp.
 
 #include "owl/expressions.h"
 
@@ -12,36 +13,27 @@
 namespace partonomy::owl {
 namespace {
 
-constexpr int max_depth = 500;
 constexpr std::size_t max_size = 100'000;
 
 }  // namespace
 
-struct Expressions::Nested {
-    Nested(Expressions& reader, Node at_node, long line) : owner(reader), node(at_node) {
-        if (owner.open_[node] != 0)
-            owner.fail(line, "a class expression contains itself; it must end in named classes");
-        if (++owner.depth_ > max_depth) {
-            --owner.depth_;
-            owner.fail(line, "class expressions are nested more than " + std::to_string(max_depth) +
-                                 " deep; give inner ones names of their own");
-        }
-        owner.open_[node] = 1;
+Expressions::Nested::Nested(Expressions& reader, Node at_node, long line, const char* what)
+    : owner(reader), node(at_node) {
+    constexpr int max_depth = 500;
+    if (owner.open_[node] != 0) owner.fail(line, std::string(what) + " contains itself; it must end in names");
+    if (owner.depth_ >= max_depth) {
+        owner.fail(line, "class expressions are nested more than " + std::to_string(max_depth) +
+                             " deep; give inner ones names of their own");
     }
-    ~Nested() {
-        owner.open_[node] = 0;
-        --owner.depth_;
-    }
-    Nested(const Nested&) = delete;
-    Nested& operator=(const Nested&) = delete;
-    Expressions& owner;
-    Node node;
-};
+    ++owner.depth_;
+    owner.open_[node] = 1;
+}
 
-Expressions::Expressions(const Graph& graph, const Declarations& declarations)
+Expressions::Expressions(const Graph& graph, const Declarations& declarations, AnonymousNames& names)
     : used(graph.triples.size()),
       graph_(graph),
       declarations_(declarations),
+      names_(names),
       by_subject_(graph.terms.size()),
       open_(graph.terms.size()) {
     for (std::uint32_t i = 0; i < graph.triples.size(); ++i) by_subject_[graph.triples[i].subject].push_back(i);
@@ -64,11 +56,12 @@ void Expressions::reject_undeclared(Node node, EntityKind kind, long line) const
     if (term(node).kind == TermKind::literal)
         fail(line, "the literal " + shown(node) + " stands where a name is expected");
     const Iri& iri = term(node).value;
-    const auto [what, type] = kind == EntityKind::klass ? std::pair{"a class", "owl:Class"}
-                              : kind == EntityKind::object_property
-                                  ? std::pair{"an object property", "owl:ObjectProperty"}
-                              : kind == EntityKind::data_property ? std::pair{"a data property", "owl:DatatypeProperty"}
-                                                                  : std::pair{"a datatype", "rdfs:Datatype"};
+    const auto [what, type] =
+        kind == EntityKind::klass                 ? std::pair{"a class", "owl:Class"}
+        : kind == EntityKind::object_property     ? std::pair{"an object property", "owl:ObjectProperty"}
+        : kind == EntityKind::data_property       ? std::pair{"a data property", "owl:DatatypeProperty"}
+        : kind == EntityKind::annotation_property ? std::pair{"an annotation property", "owl:AnnotationProperty"}
+                                                  : std::pair{"a datatype", "rdfs:Datatype"};
     for (const EntityKind other : {EntityKind::klass, EntityKind::object_property, EntityKind::data_property,
                                    EntityKind::annotation_property, EntityKind::datatype}) {
         if (!declarations_.has(iri, other)) continue;
@@ -125,9 +118,7 @@ std::vector<Node> Expressions::list(Node head, long line) {
     while (term(cell).word != Word::rdf_nil) {
         if (term(cell).kind == TermKind::literal)
             fail(line, "a list of RDF is expected where " + shown(cell) + " stands");
-        if (open_[cell] != 0) {
-            fail(line, "a list contains itself; it must end in rdf:nil");  // open_ is of no further use: reading stops
-        }
+        if (open_[cell] != 0) fail(line, "a list contains itself; it must end in rdf:nil");
         const bool is_cell = std::ranges::any_of(about(cell), [&](std::uint32_t i) {
             const Word word = term(graph_.triples[i].predicate).word;
             return word == Word::rdf_first || word == Word::rdf_rest;
@@ -145,7 +136,8 @@ std::vector<Node> Expressions::list(Node head, long line) {
             } else if (word == Word::rdf_rest) {
                 if (rest != nullptr) fail(triple.line, "a cell of a list has two values of rdf:rest; one is right");
                 rest = &triple;
-            } else if (word != Word::rdf_type || term(triple.object).word != Word::rdf_List) {
+            } else if (word != Word::rdf_type || (term(triple.object).word != Word::rdf_List &&
+                                                  term(triple.object).word != Word::swrl_AtomList)) {
                 fail(triple.line, "a cell of a list has no property but rdf:first and rdf:rest, here stands " +
                                       shown(triple.predicate));
             }
@@ -210,7 +202,7 @@ Iri Expressions::individual(Node node, long line) const {
     if (term(node).kind == TermKind::literal)
         fail(line, "an individual is expected where the literal " + shown(node) + " stands");
     if (is_structure(node)) fail(line, "an individual is expected where a class expression or list stands");
-    return term(node).value;
+    return term(node).kind == TermKind::blank ? names_.name(graph_, node) : term(node).value;
 }
 
 Literal Expressions::literal(Node node) const { return {term(node).value, term(node).datatype, term(node).language}; }
@@ -218,7 +210,7 @@ Literal Expressions::literal(Node node) const { return {term(node).value, term(n
 ClassPointer Expressions::class_expression(Node node, long line) { return make(node, line).expression; }
 
 ClassPointer Expressions::described_by(const Triple& triple) {
-    const Nested nested(*this, triple.subject, triple.line);
+    const Nested nested(*this, triple.subject, triple.line, "a class expression");
     return connective(triple).expression;
 }
 
@@ -242,7 +234,7 @@ Expressions::Made Expressions::make(Node node, long line) {
         expression.iri = term(node).value;
         result = sized(std::move(expression), 1, line);
     } else {
-        const Nested nested(*this, node, line);
+        const Nested nested(*this, node, line, "a class expression");
         const Triple* described = nullptr;
         const Triple* other = nullptr;  // of a restriction, or out of place
         bool is_restriction = false;
@@ -273,6 +265,7 @@ Expressions::Made Expressions::make(Node node, long line) {
                 case Word::rdfs_subClassOf:
                 case Word::owl_equivalentClass:
                 case Word::owl_disjointWith:
+                case Word::owl_hasKey:
                     break;  // axioms about the expression
                 default:
                     other = &triple;

@@ -48,13 +48,10 @@ private:
     void open(Graph&& graph, const std::optional<fs::path>& folder);
     std::optional<Found> resolve(const Iri& iri, long line, const Open& importer);
     std::optional<Found> search_folder(const fs::path& folder, const Iri& iri);
-    Graph parse(const std::string& bytes, const std::string& name) { return read_rdf(bytes, name, ++count_); }
-
     const std::vector<fs::path>& import_folders_;
     std::vector<Open> stack_;
     std::set<Iri> seen_;
     std::map<fs::path, std::string> bytes_;  ///< of the files in the folders searched
-    std::size_t count_ = 0;
 };
 
 const std::string* stored(std::map<fs::path, std::string>& files, const fs::path& file) {
@@ -73,8 +70,9 @@ std::optional<Importer::Found> Importer::search_folder(const fs::path& folder, c
     for (fs::directory_iterator i(folder, error), end; !error && i != end; i.increment(error)) {
         const std::string type = i->path().extension().string();
         std::error_code ignored;
-        if ((type == ".ttl" || type == ".owl" || type == ".rdf" || type == ".xml" || type == ".nt") &&
-            i->is_regular_file(ignored)) {
+        constexpr std::string_view types[] = {".ttl", ".owl", ".rdf", ".xml", ".nt",
+                                              ".owx", ".ofn", ".omn", ".fss", ".ows"};
+        if (std::ranges::find(types, type) != std::end(types) && i->is_regular_file(ignored)) {
             files.push_back(i->path());
         }
     }
@@ -88,7 +86,7 @@ std::optional<Importer::Found> Importer::search_folder(const fs::path& folder, c
         if (bytes == nullptr || bytes->find(last) == std::string::npos || bytes->find(stem) == std::string::npos)
             continue;
         try {
-            Graph graph = parse(*bytes, file.string());
+            Graph graph = read_document(*bytes, file.string());
             const Header header = header_of(graph);
             if (without_hash(header.iri) == iri) return Found{std::move(graph), folder};
             if (!by_version && !header.version.empty() && without_hash(header.version) == iri) {
@@ -102,14 +100,14 @@ std::optional<Importer::Found> Importer::search_folder(const fs::path& folder, c
 }
 
 std::optional<Importer::Found> Importer::resolve(const Iri& iri, long line, const Open& importer) {
-    if (iri == core_iri) return Found{parse(core_ontology_text(), built_in_name), std::nullopt};
+    if (iri == core_iri) return Found{read_document(core_ontology_text(), built_in_name), std::nullopt};
     if (importer.folder) {
         std::optional<fs::path> file = look_up_catalog(*importer.folder, iri);
         if (!file) file = look_up_catalog(*importer.folder, iri + "#");
         std::error_code error;
         if (file && fs::is_regular_file(*file, error)) {
             const fs::path folder = file->has_parent_path() ? file->parent_path() : fs::path(".");
-            return Found{parse(read_file(*file), file->string()), folder};
+            return Found{read_document(read_file(*file), file->string()), folder};
         }
         if (std::optional<Found> found = search_folder(*importer.folder, iri)) return found;
     }
@@ -195,7 +193,7 @@ Header header_of(const Graph& graph) {
 Documents read_with_imports(const std::string& bytes, const std::string& name, const std::optional<fs::path>& folder,
                             const std::vector<fs::path>& import_folders) {
     Importer importer(import_folders);
-    importer.read(read_rdf(bytes, name), folder);
+    importer.read(read_document(bytes, name), folder);
     return std::move(importer.documents);
 }
 

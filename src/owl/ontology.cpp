@@ -5,10 +5,18 @@
 #include "base/errors.h"
 #include "base/files.h"
 #include "owl/declarations.h"
+#include "owl/expressions.h"
 #include "owl/imports.h"
 
 namespace partonomy::owl {
 namespace {
+
+bool declares_ontology(const Graph& graph) {
+    return std::ranges::any_of(graph.triples, [&](const Triple& triple) {
+        return graph.terms[triple.predicate].word == Word::rdf_type &&
+               graph.terms[triple.object].word == Word::owl_Ontology;
+    });
+}
 
 Ontology merge(Documents&& documents) {
     Ontology ontology;
@@ -16,7 +24,9 @@ Ontology merge(Documents&& documents) {
     ontology.imports = std::move(documents.imports);
     Declarations declarations;
     for (const Graph& graph : documents.graphs) declarations.collect(graph, ontology.entities);
-    for (const Graph& graph : documents.graphs) map_axioms(graph, declarations, ontology);
+    AnonymousNames names;
+    for (auto graph = documents.graphs.rbegin(); graph != documents.graphs.rend(); ++graph) names.reserve(*graph);
+    for (const Graph& graph : documents.graphs) map_axioms(graph, declarations, names, ontology);
 
     std::ranges::stable_sort(ontology.entities, [](const Entity& a, const Entity& b) {
         return std::tie(a.iri, a.kind) < std::tie(b.iri, b.kind);
@@ -24,7 +34,7 @@ Ontology merge(Documents&& documents) {
     const auto is_repeated = [](const Entity& a, const Entity& b) { return a.iri == b.iri && a.kind == b.kind; };
     ontology.entities.erase(std::unique(ontology.entities.begin(), ontology.entities.end(), is_repeated),
                             ontology.entities.end());
-    if (ontology.iri.empty() && ontology.entities.empty() && ontology.axioms.empty()) {
+    if (!declares_ontology(documents.graphs.back()) && ontology.entities.empty() && ontology.axioms.empty()) {
         throw OntologyError(at(documents.graphs.back().file, 0,
                                "holds statements but no ontology; declare owl:Ontology, or classes as owl:Class"));
     }

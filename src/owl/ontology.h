@@ -23,16 +23,16 @@ using Iri = std::string;
 [[nodiscard]] std::string local_name(const Iri& iri);
 
 enum class ClassKind {
-    named,                  ///< iri
-    intersection_of,        ///< operands
-    union_of,               ///< operands
-    complement_of,          ///< operands[0]
-    one_of,                 ///< individuals
-    some_values_from,       ///< property, operands[0]
-    all_values_from,        ///< property, operands[0]
-    has_value,              ///< property, individuals[0]
-    has_self,               ///< property
-    min_cardinality,        ///< property, number, operands[0] (owl:Thing when unqualified)
+    named,             ///< iri
+    intersection_of,   ///< operands
+    union_of,          ///< operands
+    complement_of,     ///< operands[0]
+    one_of,            ///< individuals
+    some_values_from,  ///< property, operands[0]
+    all_values_from,   ///< property, operands[0]
+    has_value,         ///< property, individuals[0]
+    has_self,          ///< property
+    min_cardinality,   ///< property, number, operands[0] (owl:Thing when unqualified)
     max_cardinality,
     exact_cardinality,
     data_some_values_from,  ///< property, range
@@ -82,9 +82,9 @@ using ClassPointer = std::shared_ptr<const ClassExpression>;
 
 struct ClassExpression {
     ClassKind kind = ClassKind::named;
-    Iri iri;                            ///< of a named class
-    PropertyExpression property;        ///< of a restriction; a data property has inverse == false
-    std::uint32_t number = 0;           ///< of a cardinality
+    Iri iri;                      ///< of a named class
+    PropertyExpression property;  ///< of a restriction; a data property has inverse == false
+    std::uint32_t number = 0;     ///< of a cardinality
     std::vector<ClassPointer> operands;
     std::vector<Iri> individuals;
     DataRange range;
@@ -94,16 +94,16 @@ struct ClassExpression {
 [[nodiscard]] std::string to_manchester(const ClassExpression& expression);
 
 enum class AxiomKind {
-    sub_class_of,                ///< classes[0] SubClassOf classes[1]
-    equivalent_classes,          ///< classes
-    disjoint_classes,            ///< classes
-    disjoint_union,              ///< classes[0] = disjoint union of the rest
-    sub_object_property_of,      ///< properties[0..n-2] (a chain when more than one), properties.back()
+    sub_class_of,            ///< classes[0] SubClassOf classes[1]
+    equivalent_classes,      ///< classes
+    disjoint_classes,        ///< classes
+    disjoint_union,          ///< classes[0] = disjoint union of the rest
+    sub_object_property_of,  ///< properties[0..n-2] (a chain when more than one), properties.back()
     equivalent_object_properties,
-    inverse_object_properties,   ///< properties[0], properties[1]
+    inverse_object_properties,  ///< properties[0], properties[1]
     disjoint_object_properties,
-    object_property_domain,      ///< properties[0], classes[0]
-    object_property_range,       ///< properties[0], classes[0]
+    object_property_domain,  ///< properties[0], classes[0]
+    object_property_range,   ///< properties[0], classes[0]
     functional_object_property,
     inverse_functional_object_property,
     symmetric_object_property,
@@ -114,13 +114,13 @@ enum class AxiomKind {
     sub_data_property_of,
     equivalent_data_properties,
     disjoint_data_properties,
-    data_property_domain,        ///< properties[0], classes[0]
-    data_property_range,         ///< properties[0], range
+    data_property_domain,  ///< properties[0], classes[0]
+    data_property_range,   ///< properties[0], range
     functional_data_property,
-    class_assertion,             ///< classes[0], individuals[0]
-    object_property_assertion,   ///< properties[0], individuals[0], individuals[1]
+    class_assertion,            ///< classes[0], individuals[0]
+    object_property_assertion,  ///< properties[0], individuals[0], individuals[1]
     negative_object_property_assertion,
-    data_property_assertion,     ///< properties[0], individuals[0], literal
+    data_property_assertion,  ///< properties[0], individuals[0], literal
     same_individual,
     different_individuals,
     negative_data_property_assertion,  ///< properties[0], individuals[0], literal
@@ -159,6 +159,14 @@ struct Rule {
     std::vector<RuleAtom> body, head;
 };
 
+struct Annotation {
+    Iri property;
+    Literal literal;  ///< when the value is a literal
+    Iri iri;          ///< when the value is an IRI, or "_:…" for an anonymous individual
+    Source source;
+    std::vector<Annotation> annotations = {};  ///< of this annotation
+};
+
 struct Axiom {
     AxiomKind kind;
     std::vector<ClassPointer> classes;
@@ -169,6 +177,7 @@ struct Axiom {
     Source source;
     Iri datatype = {};                      ///< that a datatype_definition defines
     std::shared_ptr<const Rule> rule = {};  ///< of a rule
+    std::vector<Annotation> annotations = {};
 };
 
 /// The axiom on one line in Manchester-like words: "Seat EquivalentTo: Region and (hasShape some Board)".
@@ -182,19 +191,12 @@ struct Entity {
     Source source;  ///< of its declaration
 };
 
-struct Annotation {
-    Iri property;
-    Literal literal;  ///< when the value is a literal
-    Iri iri;          ///< when the value is an IRI
-    Source source;
-};
-
 /// An ontology with its imports merged: what a document says, and where it says it.
 struct Ontology {
-    Iri iri;                                          ///< of the file that was asked for; empty when it names none
-    std::vector<std::pair<Iri, std::string>> imports;  ///< every imported ontology and the file it came from
-    std::vector<Entity> entities;                     ///< sorted by IRI
-    std::vector<Axiom> axioms;                        ///< in the order of files and lines: imports first
+    Iri iri;                                             ///< of the file that was asked for; empty when it names none
+    std::vector<std::pair<Iri, std::string>> imports;    ///< every imported ontology and the file it came from
+    std::vector<Entity> entities;                        ///< sorted by IRI
+    std::vector<Axiom> axioms;                           ///< in the order of files and lines: imports first
     std::map<Iri, std::vector<Annotation>> annotations;  ///< of entities, in file order
 
     [[nodiscard]] const Entity* find(const Iri& iri, EntityKind kind) const;
@@ -206,10 +208,11 @@ struct LoadOptions {
     std::vector<std::filesystem::path> import_folders;  ///< searched for imports after the file's own folder
 };
 
-/// Reads an ontology in Turtle (N-Triples too) or RDF/XML, recognised by content, with its imports, which are resolved
-/// offline only: the core ontology built into the program, catalog-v001.xml beside the file, then files in the file's
-/// folder and in `import_folders` whose ontology IRI (or version IRI) is the one imported. Cycles are fine.
-/// Throws FileError; OntologyError with file and line: syntax, import not found, a triple that is no OWL 2.
+/// Reads an ontology in Turtle, N-Triples, RDF/XML, OWL/XML, functional or Manchester syntax, recognised by content,
+/// with its imports, which are resolved offline only: the core ontology built into the program, catalog-v001.xml beside
+/// the file, then files in the file's folder and in `import_folders` whose ontology IRI (or version IRI) is the one
+/// imported. Cycles are fine. Throws FileError; OntologyError with file and line: syntax, import not found, a statement
+/// that is no OWL 2.
 [[nodiscard]] Ontology load_ontology(const std::filesystem::path& path, const LoadOptions& options = {});
 
 /// The same from memory; `name` is what error sentences call it, imports resolve to the core ontology only.

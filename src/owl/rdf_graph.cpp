@@ -18,6 +18,7 @@ const std::vector<WordEntry>& word_entries() {
         const std::string owl = owl_prefix;
         const std::string rdf = rdf_prefix;
         const std::string rdfs = rdfs_prefix;
+        const std::string swrl = swrl_prefix;
         std::vector<WordEntry> list;
 #define PARTONOMY_OWL_WORD(prefix, name) list.push_back({Word::prefix##_##name, prefix + #name});
         PARTONOMY_OWL_WORDS(PARTONOMY_OWL_WORD)
@@ -50,7 +51,8 @@ std::string between(const char* open, const std::string& text, const char* close
 std::string short_name(const std::string& iri) {
     using Pair = std::pair<const char*, const char*>;
     for (const auto& [prefix, space] :
-         {Pair{"owl:", owl_prefix}, Pair{"rdf:", rdf_prefix}, Pair{"rdfs:", rdfs_prefix}, Pair{"xsd:", xsd_prefix}}) {
+         {Pair{"owl:", owl_prefix}, Pair{"rdf:", rdf_prefix}, Pair{"rdfs:", rdfs_prefix}, Pair{"xsd:", xsd_prefix},
+          Pair{"swrl:", swrl_prefix}, Pair{"swrlb:", swrlb_prefix}}) {
         if (iri.starts_with(space)) return prefix + iri.substr(std::string_view(space).size());
     }
     const std::string local = local_name(iri);
@@ -84,9 +86,12 @@ Node Graph::literal(const std::string& value, const std::string& datatype, const
 }
 
 Node Graph::blank() {
-    const std::string name = "_:" + std::to_string(number) + "." + std::to_string(blanks_++);
-    terms.push_back({TermKind::blank, Word::none, name, {}, {}});
+    terms.push_back({TermKind::blank, Word::none, {}, {}, {}});
     return static_cast<Node>(terms.size() - 1);
+}
+
+Node Graph::blank(const std::string& label) {
+    return intern("_" + label, {TermKind::blank, Word::none, label, {}, {}});
 }
 
 Node Graph::word(Word word) {

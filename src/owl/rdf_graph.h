@@ -13,11 +13,11 @@ namespace partonomy::owl {
 
 enum class TermKind : std::uint8_t { iri, blank, literal };
 
-/// A node of an RDF graph. A blank node's value is "_:" and a number.
+/// A node of an RDF graph.
 struct Term {
     TermKind kind = TermKind::iri;
     Word word = Word::none;  ///< of an IRI of OWL's own vocabulary
-    std::string value;       ///< IRI, blank node name, or lexical form
+    std::string value;       ///< IRI, label of a blank node (empty when it has none), or lexical form
     std::string datatype;    ///< of a literal, never empty then
     std::string language;    ///< lower case, empty when there is none
 };
@@ -42,32 +42,41 @@ struct Graph {
     /// memory.
     Node iri(const std::string& value, long line);
     Node literal(const std::string& value, const std::string& datatype, const std::string& language = {});
-    /// A new blank node; its name is unique among documents that have different `number`.
-    Node blank();
+    Node blank();                          ///< a new one, without label
+    Node blank(const std::string& label);  ///< the one of that label
     void add(Node subject, Node predicate, Node object, long line) {
         triples.push_back({subject, predicate, object, line});
     }
     Node word(Word word);  ///< the node of an OWL word
 
-    std::size_t number = 0;  ///< of the document among those read together
+    /// A name used in a role that its triples alone do not tell: a property in functional syntax, say.
+    struct Use {
+        Node node = 0;
+        EntityKind kind = EntityKind::klass;
+        long line = 0;
+    };
+    std::vector<Use> uses;
+    /// In Manchester syntax `p min 2 X` and `not X` look the same over things and over data: what X is follows from p.
+    bool kinds_are_open = false;
+
     static constexpr std::size_t max_iri = 4096;
 
 private:
     Node intern(const std::string& key, Term&& term);
     std::unordered_map<std::string, Node> nodes_;
     std::vector<std::int64_t> words_;
-    std::size_t blanks_ = 0;
 };
 
-/// Reads Turtle, N-Triples or RDF/XML, recognised by content. `name` is what error sentences call the document.
-/// Never opens another file or the network. Throws OntologyError: syntax, encoding, a format that is neither.
-[[nodiscard]] Graph read_rdf(const std::string& bytes, const std::string& name, std::size_t number = 0);
+/// Reads an ontology in any of the syntaxes of OWL 2, recognised by content, as triples. `name` is what error sentences
+/// call the document. Never opens another file or the network. Throws OntologyError: syntax, encoding, another format.
+[[nodiscard]] Graph read_document(const std::string& bytes, const std::string& name);
 
-/// Fills `graph` from Turtle text; N-Triples is Turtle too. `base` resolves relative IRIs.
+/// Each fills `graph` from text in one syntax (UTF-8, but for XML, which says its encoding). `base` resolves relative
+/// IRIs. N-Triples is Turtle too; XML is RDF/XML or OWL/XML, as its root element says.
 void read_turtle(const std::string& text, const std::string& base, Graph& graph);
-
-/// Fills `graph` from RDF/XML text.
-void read_rdf_xml(const std::string& text, const std::string& base, Graph& graph);
+void read_xml_document(const std::string& text, const std::string& base, Graph& graph);
+void read_functional(const std::string& text, const std::string& base, Graph& graph);
+void read_manchester(const std::string& text, const std::string& base, Graph& graph);
 
 /// `reference` made absolute, as RFC 3986 section 5.2 says.
 [[nodiscard]] std::string resolve_iri(const std::string& base, const std::string& reference);

@@ -1,22 +1,14 @@
-// RDF/XML (W3C Recommendation, 25 February 2014) on top of expat. The grammar stripes node elements and property
-// elements; a stack of open elements says which comes next, so the nesting of the file costs memory, never stack. A
-// triple stands on the line where the tag of its property element begins.
-//
-// Safety: an entity that lives elsewhere, or an external DTD, is refused, since nothing but the bytes given is ever
-// read; internal entities (Protégé declares its namespaces so) are expanded by expat, which stops entity bombs. rdf:ID
-// on a property (reification) and rdf:bagID are refused: OWL 2 has no use for them. An XML literal is kept as it is
-// written, not canonicalised. Linear in the length of the text after entities are expanded.
+// RDF/XML (W3C Recommendation, 25 February 2014). The grammar stripes node elements and property elements; a stack of
+// open elements says which comes next, so the nesting of the file costs memory, never stack. A triple stands on the
+// line where the tag of its property element begins. rdf:ID on a property (reification) and rdf:bagID are refused: OWL
+// 2 has no use for them. An XML literal is kept as it is written, not canonicalised. Linear in the length of the text
+// after entities are expanded.
 
-#include <expat.h>
+#include "owl/rdf_xml.h"
 
 #include <algorithm>
 #include <cstring>
-#include <map>
-#include <memory>
 #include <optional>
-
-#include "base/errors.h"
-#include "owl/rdf_graph.h"
 
 namespace partonomy::owl {
 namespace {
@@ -46,173 +38,39 @@ struct Attributes {
     std::vector<std::pair<std::string, std::string>> properties;
 };
 
-class XmlReader {
+class RdfXmlReader final : public XmlHandler {
 public:
-    XmlReader(const std::string& text, const std::string& base, Graph& graph)
-        : text_(text), graph_(graph), parser_(XML_ParserCreateNS(nullptr, '\0'), &XML_ParserFree), rdf_(rdf_prefix) {
+    RdfXmlReader(const XmlParser& parser, const std::string& base, Graph& graph)
+        : parser_(parser), graph_(graph), rdf_(rdf_prefix) {
         Open document;
         document.base = base;
         open_.push_back(document);
     }
 
-    void read();
+    void start(const std::string& name, const char** pairs) override;
+    void end() override;
+    void characters(const char* text, std::size_t length) override;
 
 private:
-    static XmlReader& self(void* data) { return *static_cast<XmlReader*>(data); }
-    void connect();
-    void start(const std::string& name, const char** pairs);
-    void end();
-    void characters(const char* text, std::size_t length);
     void start_node(Open& element, const std::string& name, const Attributes& attributes);
     void start_property(Open& element, const std::string& name, const Attributes& attributes);
     void end_property(const Open& element);
     void attach(Node node);
     void property_attributes(Node subject, const Attributes& attributes, const Open& element);
     Attributes sort_attributes(const char** pairs, Open& element);
-    void check_root(const std::string& name, const char** pairs);
-    Node labelled(const std::string& label);
     Node iri(const std::string& reference, const Open& element) {
         return graph_.iri(resolve_iri(element.base, reference), element.line);
     }
-    [[nodiscard]] std::size_t offset() const {
-        return static_cast<std::size_t>(XML_GetCurrentByteIndex(parser_.get()));
-    }
-    [[nodiscard]] long line() const { return static_cast<long>(XML_GetCurrentLineNumber(parser_.get())); }
-    [[noreturn]] void fail(const std::string& sentence) const {
-        throw OntologyError(at(graph_.file, line(), sentence));
-    }
+    [[nodiscard]] long line() const { return parser_.line(); }
+    [[noreturn]] void fail(const std::string& sentence) const { parser_.fail(sentence); }
 
-    /// Runs a handler. An exception must not pass through expat, which is C: it waits until XML_Parse has returned.
-    template <typename Handler>
-    void guarded(Handler handler) {
-        if (error_) return;
-        try {
-            handler();
-        } catch (...) {
-            error_ = std::current_exception();
-            XML_StopParser(parser_.get(), XML_FALSE);
-        }
-    }
-
-    const std::string& text_;
+    const XmlParser& parser_;
     Graph& graph_;
-    std::unique_ptr<XML_ParserStruct, decltype(&XML_ParserFree)> parser_;
     const std::string rdf_;
     std::vector<Open> open_;
-    std::map<std::string, Node> labels_;
-    std::exception_ptr error_;
 };
 
-void XmlReader::connect() {
-    XML_Parser parser = parser_.get();
-    XML_SetUserData(parser, this);
-    XML_SetElementHandler(
-        parser,
-        [](void* data, const char* name, const char** pairs) {
-            self(data).guarded([&] { self(data).start(name, pairs); });
-        },
-        [](void* data, const char*) { self(data).guarded([&] { self(data).end(); }); });
-    XML_SetCharacterDataHandler(parser, [](void* data, const char* text, int length) {
-        self(data).guarded([&] { self(data).characters(text, static_cast<std::size_t>(length)); });
-    });
-    XML_SetDoctypeDeclHandler(
-        parser,
-        [](void* data, const char*, const char* system, const char* open, int) {
-            self(data).guarded([&] {
-                if (system != nullptr || open != nullptr) {
-                    self(data).fail(
-                        "the document type lives in another file, which is never read; remove it or write its entities "
-                        "into this file");
-                }
-            });
-        },
-        nullptr);
-    XML_SetEntityDeclHandler(parser, [](void* data, const char* name, int, const char*, int, const char*,
-                                        const char* system, const char*, const char*) {
-        self(data).guarded([&] {
-            if (system != nullptr) {
-                self(data).fail("the entity '" + std::string(name) +
-                                "' lives in another file, which is never read; write its text into this file");
-            }
-        });
-    });
-    XML_SetSkippedEntityHandler(parser, [](void* data, const char* name, int) {
-        self(data).guarded([&] {
-            self(data).fail("the entity '" + std::string(name) +
-                            "' is not declared in this file, and no other is read");
-        });
-    });
-}
-
-std::string syntax_sentence(XML_Error code) {
-    switch (code) {
-        case XML_ERROR_NO_ELEMENTS:
-            return "the XML ends before its first element is complete; is the file cut off?";
-        case XML_ERROR_TAG_MISMATCH:
-            return "an XML tag is closed by another name than it was opened with";
-        case XML_ERROR_UNCLOSED_TOKEN:
-            return "the XML ends inside a tag, comment or entity; is the file cut off?";
-        case XML_ERROR_UNCLOSED_CDATA_SECTION:
-            return "a CDATA section is never closed";
-        case XML_ERROR_UNBOUND_PREFIX:
-            return "the prefix of an XML name has no xmlns declaration";
-        case XML_ERROR_UNDEFINED_ENTITY:
-            return "an XML entity (&name;) is used but not declared";
-        case XML_ERROR_RECURSIVE_ENTITY_REF:
-            return "an XML entity contains itself";
-        case XML_ERROR_AMPLIFICATION_LIMIT_BREACH:
-            return "the entities of this file blow up to a size that no ontology needs";
-        case XML_ERROR_JUNK_AFTER_DOC_ELEMENT:
-            return "text follows the end of the XML document";
-        case XML_ERROR_DUPLICATE_ATTRIBUTE:
-            return "an XML attribute occurs twice in one tag";
-        case XML_ERROR_UNKNOWN_ENCODING:
-            return "the encoding that the XML declares is unknown; save the file as UTF-8";
-        default:
-            return std::string("XML syntax error (") + XML_ErrorString(code) + ")";
-    }
-}
-
-void XmlReader::read() {
-    if (!parser_) throw std::bad_alloc();
-    connect();
-    constexpr std::size_t block = std::size_t{1} << 28;
-    for (std::size_t from = 0;; from += block) {
-        const std::size_t size = std::min(block, text_.size() - from);
-        const bool is_last = from + size == text_.size();
-        const XML_Status status = XML_Parse(parser_.get(), text_.data() + from, static_cast<int>(size), is_last);
-        if (error_) std::rethrow_exception(error_);
-        if (status != XML_STATUS_OK) {
-            const XML_Error code = XML_GetErrorCode(parser_.get());
-            if (is_last && open_.size() > 1 && code == XML_ERROR_NO_ELEMENTS) {
-                fail("the XML ends before the tag of line " + std::to_string(open_.back().line) +
-                     " is closed; is the file cut off?");
-            }
-            fail(syntax_sentence(code));
-        }
-        if (is_last) return;
-    }
-}
-
-Node XmlReader::labelled(const std::string& label) {
-    const auto [entry, is_new] = labels_.try_emplace(label, 0);
-    if (is_new) entry->second = graph_.blank();
-    return entry->second;
-}
-
-void XmlReader::check_root(const std::string& name, const char** pairs) {
-    if (name == rdf_ + "RDF") return;
-    bool has_about = false;
-    for (const char** pair = pairs; *pair != nullptr; pair += 2) has_about |= pair[0] == rdf_ + "about";
-    if (name == std::string(owl_prefix) + "Ontology" && !has_about) {
-        fail("OWL/XML is not read; save the ontology as Turtle or RDF/XML (in Protégé: File > Save as)");
-    }
-    if (name.find(':') == std::string::npos) {
-        fail("the root element '" + name + "' is not RDF/XML, which begins with rdf:RDF");
-    }
-}
-
-Attributes XmlReader::sort_attributes(const char** pairs, Open& element) {
+Attributes RdfXmlReader::sort_attributes(const char** pairs, Open& element) {
     Attributes sorted;
     std::vector<std::pair<std::string, std::string>> list;
     for (const char** pair = pairs; *pair != nullptr; pair += 2) list.emplace_back(pair[0], pair[1]);
@@ -250,7 +108,7 @@ Attributes XmlReader::sort_attributes(const char** pairs, Open& element) {
 }
 
 /// Triples from attributes that are properties.
-void XmlReader::property_attributes(Node subject, const Attributes& attributes, const Open& element) {
+void RdfXmlReader::property_attributes(Node subject, const Attributes& attributes, const Open& element) {
     for (const auto& [name, value] : attributes.properties) {
         const Node predicate = graph_.iri(name, element.line);
         const bool is_type = predicate == graph_.word(Word::rdf_type);
@@ -262,7 +120,7 @@ void XmlReader::property_attributes(Node subject, const Attributes& attributes, 
 }
 
 /// A node has become the value of the property around it, or the next member of its collection.
-void XmlReader::attach(Node node) {
+void RdfXmlReader::attach(Node node) {
     Open& parent = open_.back();
     if (parent.place == Place::property) {
         if (parent.object || parent.is_closed) fail("a property element holds one value; a second one begins here");
@@ -280,7 +138,7 @@ void XmlReader::attach(Node node) {
     }
 }
 
-void XmlReader::start_node(Open& element, const std::string& name, const Attributes& attributes) {
+void RdfXmlReader::start_node(Open& element, const std::string& name, const Attributes& attributes) {
     if ((attributes.about.has_value() + attributes.id.has_value() + attributes.node_id.has_value()) > 1) {
         fail("an element is named by one of rdf:about, rdf:ID and rdf:nodeID, not by several");
     }
@@ -291,7 +149,7 @@ void XmlReader::start_node(Open& element, const std::string& name, const Attribu
     element.place = Place::node;
     element.subject = attributes.about     ? iri(*attributes.about, element)
                       : attributes.id      ? iri("#" + *attributes.id, element)
-                      : attributes.node_id ? labelled(*attributes.node_id)
+                      : attributes.node_id ? graph_.blank(*attributes.node_id)
                                            : graph_.blank();
     attach(element.subject);
     if (name != rdf_ + "Description") {
@@ -300,7 +158,7 @@ void XmlReader::start_node(Open& element, const std::string& name, const Attribu
     property_attributes(element.subject, attributes, element);
 }
 
-void XmlReader::start_property(Open& element, const std::string& name, const Attributes& attributes) {
+void RdfXmlReader::start_property(Open& element, const std::string& name, const Attributes& attributes) {
     Open& parent = open_.back();
     if (attributes.about) {
         fail(short_name(name) + " stands where a property is expected, which has rdf:resource instead of rdf:about");
@@ -329,12 +187,12 @@ void XmlReader::start_property(Open& element, const std::string& name, const Att
             element.place = Place::collection;
         } else {
             element.place = Place::markup;
-            element.markup_begin = offset() + static_cast<std::size_t>(XML_GetCurrentByteCount(parser_.get()));
+            element.markup_begin = parser_.end_offset();
         }
     } else if (has_value || !attributes.properties.empty()) {
         if (attributes.datatype) fail("a property has a value or rdf:datatype, not both");
         const Node object = attributes.resource  ? iri(*attributes.resource, element)
-                            : attributes.node_id ? labelled(*attributes.node_id)
+                            : attributes.node_id ? graph_.blank(*attributes.node_id)
                                                  : graph_.blank();
         graph_.add(element.subject, element.predicate, object, element.line);
         property_attributes(object, attributes, element);
@@ -344,13 +202,12 @@ void XmlReader::start_property(Open& element, const std::string& name, const Att
     }
 }
 
-void XmlReader::start(const std::string& name, const char** pairs) {
+void RdfXmlReader::start(const std::string& name, const char** pairs) {
     Open& parent = open_.back();
     if (parent.place == Place::markup) {
         ++parent.depth;
         return;
     }
-    if (parent.place == Place::document) check_root(name, pairs);
     if (name.find(':') == std::string::npos) {
         fail("the element '" + name + "' has no namespace, so it is no name of RDF; add an xmlns declaration");
     }
@@ -372,7 +229,7 @@ void XmlReader::start(const std::string& name, const char** pairs) {
     open_.push_back(std::move(element));
 }
 
-void XmlReader::end_property(const Open& element) {
+void RdfXmlReader::end_property(const Open& element) {
     if (element.place == Place::collection) {
         const Node nil = graph_.word(Word::rdf_nil);
         if (element.object) {
@@ -390,14 +247,15 @@ void XmlReader::end_property(const Open& element) {
     graph_.add(element.subject, element.predicate, value, element.line);
 }
 
-void XmlReader::end() {
+void RdfXmlReader::end() {
     Open& element = open_.back();
     if (element.place == Place::markup && element.depth > 0) {
         --element.depth;
         return;
     }
-    if (element.place == Place::markup && offset() > element.markup_begin && offset() <= text_.size()) {
-        element.text = text_.substr(element.markup_begin, offset() - element.markup_begin);
+    if (element.place == Place::markup && parser_.offset() > element.markup_begin &&
+        parser_.offset() <= parser_.text().size()) {
+        element.text = parser_.text().substr(element.markup_begin, parser_.offset() - element.markup_begin);
         if (!is_utf8(element.text)) fail("an XML literal is read from files in UTF-8 only; save the file as UTF-8");
     }
     const Open closed = std::move(element);
@@ -407,7 +265,7 @@ void XmlReader::end() {
     }
 }
 
-void XmlReader::characters(const char* text, std::size_t length) {
+void RdfXmlReader::characters(const char* text, std::size_t length) {
     Open& element = open_.back();
     if (element.place == Place::markup) return;  // cut out whole at its end
     const bool is_blank = std::all_of(text, text + length, [](char c) { return std::strchr(" \t\r\n", c) != nullptr; });
@@ -420,8 +278,8 @@ void XmlReader::characters(const char* text, std::size_t length) {
 
 }  // namespace
 
-void read_rdf_xml(const std::string& text, const std::string& base, Graph& graph) {
-    XmlReader(text, base, graph).read();
+std::unique_ptr<XmlHandler> make_rdf_xml_handler(const XmlParser& parser, const std::string& base, Graph& graph) {
+    return std::make_unique<RdfXmlReader>(parser, base, graph);
 }
 
 }  // namespace partonomy::owl

@@ -149,6 +149,20 @@ double share_near(const Surface& s, const std::vector<std::int32_t>& triangles, 
     return all > 0 ? static_cast<double>(near) / all : 0;
 }
 
+/// Whether a stick ends at the board, like a post, instead of running along it.
+bool points_to(const Surface& s, const Core& stick, const Core& board) {
+    Vec3 middle = Vec3::Zero();
+    for (const std::int32_t i : stick.triangles) middle += s.geometry.areas[i] * s.geometry.barycentres[i];
+    middle /= stick.area;
+    Vec3 way = Vec3::Constant(s.size);
+    const std::size_t step = 1 + board.triangles.size() / 600;
+    for (std::size_t q = 0; q < board.triangles.size(); q += step) {
+        const Vec3 to = s.geometry.barycentres[board.triangles[q]] - middle;
+        if (to.squaredNorm() < way.squaredNorm()) way = to;
+    }
+    return way.norm() > stick.thickness && std::abs(way.dot(stick.axis)) > 0.8 * way.norm();
+}
+
 }  // namespace
 
 void absorb_rims(const Surface& s, const Vec3& up, Parts& parts) {
@@ -158,12 +172,15 @@ void absorb_rims(const Surface& s, const Vec3& up, Parts& parts) {
         for (std::size_t k = 0; k < parts.parts.size(); ++k) {
             Core& rim = parts.parts[k];
             if (static_cast<std::int32_t>(k) == b || rim.triangles.empty() || rim.area > 0.25 * board.area) continue;
-            double within = 0;
-            for (const std::int32_t i : rim.triangles)
-                if (std::abs((s.geometry.barycentres[i] - plane.middle).dot(plane.normal)) < plane.half + rim.thickness)
-                    within += s.geometry.areas[i];
+            double within = 0, flush = 0;
+            for (const std::int32_t i : rim.triangles) {
+                const double u = std::abs((s.geometry.barycentres[i] - plane.middle).dot(plane.normal));
+                if (u < plane.half + rim.thickness) within += s.geometry.areas[i];
+                if (std::abs(u - plane.half) < 0.1 * plane.half) flush += s.geometry.areas[i];
+            }
             if (within < 0.8 * rim.area || std::abs(rim.axis.dot(plane.normal)) > 0.4) continue;
             if (share_near(s, rim.triangles, board, 0.75 * (board.thickness + rim.thickness)) < 0.4) continue;
+            if (flush < 0.7 * rim.area && points_to(s, rim, board)) continue;
             for (const std::int32_t i : rim.triangles) parts.part_of[i] = -1;
             rim.triangles.clear();
             rim.area = 0;

@@ -12,7 +12,10 @@
 // faces the other rim across the whole seat) and no core. The samples' surroundings (cells) vote with their neighbours,
 // and a set is cut between board and stick and where sticks of different directions meet.
 //
-// Sticks with three sides have no parallel walls; a second, more generous search among what is left finds them.
+// Sticks with three sides have no parallel walls; a second, more generous search among what is left finds them. Their
+// thickness falls to nothing towards each edge, so there the samples look around from the middle of the stick, and the
+// core is the whole stick. (Looking around from halfway between two walls, as in the first search, found fragments of
+// short posts that changed with every turn of the mesh.)
 //
 // Departures from paper §6.4: no seeds by ascending thickness and no planes that are refitted, since neither bent
 // boards nor round sticks have planes; tried first were region growing from seeds (depends on the order of faces) and
@@ -57,8 +60,9 @@ const double slanted_cosine = std::cos(65 * std::numbers::pi / 180);
 const double crease_cosine = std::cos(30 * std::numbers::pi / 180);
 const double square_cosine = std::cos(35 * std::numbers::pi / 180);
 const double turn_cosine = std::cos(38 * std::numbers::pi / 180);
-constexpr double cell_area = 0.2;         // of thickness squared: as fine as cells get
-constexpr double least_agreement = 0.75;  // of directions around a cell, unless sticks meet there
+constexpr double narrowest = 0.7, narrowest_slanted = 0.4;  // width / thickness of a stick, at least
+constexpr double cell_area = 0.2;                           // of thickness squared: as fine as cells get
+constexpr double least_agreement = 0.75;                    // of directions around a cell, unless sticks meet there
 constexpr double fewest_cells = 24;
 constexpr double triangles_a_cell = 25;  // on average, but at least and at most so many cells in all:
 constexpr double least_cells = 100, most_cells = 700;
@@ -104,8 +108,28 @@ Chords chords_around(const Surface& s, std::int32_t t) {
     return chords;
 }
 
+/// The same, for sticks whose walls are slanted, from the middle of the stick: halfway between two such walls may be
+/// near an edge, where everything is narrow. `thickness` becomes the way through the middle.
+Chords chords_through_middle(const Surface& s, std::int32_t t, double& thickness) {
+    Chords chords = chords_around(s, t);
+    const Vec3 n = s.normals[t], x = chords.along.cross(n);
+    Vec3 middle = s.geometry.barycentres[t] - n * (s.thickness.distances[t] / 2);
+    const auto centre = [&](const Vec3& d) {
+        const double ahead = std::min<double>(s.scene->exit_wall(middle, d).distance, s.size);
+        const double behind = std::min<double>(s.scene->exit_wall(middle, -d).distance, s.size);
+        middle += d * ((ahead - behind) / 2);
+        return ahead + behind;
+    };
+    for (int round = 0; round < 2; ++round) {
+        chords.narrow = centre(x);
+        thickness = centre(n);
+    }
+    return chords;
+}
+
 /// A patch of a component around one sampled triangle, both walls.
 struct Cell {
+    double thickness = 0;
     double ratio = 0;  ///< width / thickness
     double reach = 0;  ///< length / thickness
     Vec3 along = Vec3::Zero();
@@ -115,20 +139,29 @@ struct Cell {
     std::vector<std::int32_t> neighbours;
 };
 
-Solidity kind_of(double ratio, double reach) {
-    if (ratio < 0.7) return Solidity::unknown;
+Solidity kind_of(double ratio, double reach, double least_ratio) {
+    if (ratio < least_ratio) return Solidity::unknown;
     if (ratio > 2) return Solidity::board;
     return reach > 2 ? Solidity::stick : Solidity::cube;
+}
+
+double median_thickness(const Surface& s, const std::vector<std::int32_t>& triangles) {
+    std::vector<float> all;
+    all.reserve(triangles.size());
+    for (const std::int32_t i : triangles) all.push_back(s.thickness.distances[i]);
+    const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
+    std::nth_element(all.begin(), middle, all.end());
+    return *middle;
 }
 
 /// Cuts one component where it changes between board and stick or where a stick turns a corner.
 class Divider {
 public:
-    Divider(const Surface& surface, double total_area, bool bends, std::vector<std::int32_t>& cell_of)
+    Divider(const Surface& surface, double total_area, bool slanted, std::vector<std::int32_t>& cell_of)
         : s_(surface),
           total_area_(total_area),
           all_cells_(std::clamp(static_cast<double>(surface.count()) / triangles_a_cell, least_cells, most_cells)),
-          bends_(bends),
+          slanted_(slanted),
           cell_of_(cell_of) {}
 
     void divide(const Core& component, std::vector<Core>& out) {
@@ -138,7 +171,7 @@ public:
         Sets sets(cells_.size());
         for (std::size_t a = 0; a < cells_.size(); ++a)
             for (const std::int32_t b : cells_[a].neighbours)
-                if (same_part(cells_[a], cells_[b], bends_)) sets.join(static_cast<std::int32_t>(a), b);
+                if (same_part(cells_[a], cells_[b], slanted_)) sets.join(static_cast<std::int32_t>(a), b);
         absorb_small(sets, component);
         emit(component, sets, out);
         for (const std::int32_t i : component.triangles) cell_of_[i] = -1;
@@ -164,9 +197,9 @@ private:
             seeds_.size(), s_.threads,
             [&](std::size_t begin, std::size_t end) {
                 for (std::size_t k = begin; k < end; ++k) {
-                    const Chords c = chords_around(s_, seeds_[k]);
-                    const double t = s_.thickness.distances[seeds_[k]];
-                    cells_[k] = {c.narrow / t, c.wide / t, c.along, 0, Solidity::unknown, false, {}};
+                    double t = s_.thickness.distances[seeds_[k]];
+                    const Chords c = slanted_ ? chords_through_middle(s_, seeds_[k], t) : chords_around(s_, seeds_[k]);
+                    cells_[k] = {t, c.narrow / t, c.wide / t, c.along, 0, Solidity::unknown, false, {}};
                 }
             },
             seeds_a_piece);
@@ -232,16 +265,16 @@ private:
             smoothed[a].reach = reaches[reaches.size() / 2];
             const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(spread);
             smoothed[a].along = eigen.eigenvectors().col(2);
-            smoothed[a].kind = kind_of(smoothed[a].ratio, smoothed[a].reach);
-            smoothed[a].is_junction = smoothed[a].kind == Solidity::stick && !bends_ &&
+            smoothed[a].kind = kind_of(smoothed[a].ratio, smoothed[a].reach, slanted_ ? narrowest_slanted : narrowest);
+            smoothed[a].is_junction = smoothed[a].kind == Solidity::stick && !slanted_ &&
                                       eigen.eigenvalues()[2] < least_agreement * eigen.eigenvalues().sum();
         }
         cells_ = std::move(smoothed);
     }
 
-    static bool same_part(const Cell& a, const Cell& b, bool bends) {
+    static bool same_part(const Cell& a, const Cell& b, bool slanted) {
         if (a.kind != b.kind || a.is_junction || b.is_junction) return false;
-        return bends || a.kind != Solidity::stick || std::abs(a.along.dot(b.along)) > turn_cosine;
+        return slanted || a.kind != Solidity::stick || std::abs(a.along.dot(b.along)) > turn_cosine;
     }
 
     /// Pieces too small to be a part join the neighbour with the longest common border.
@@ -296,6 +329,7 @@ private:
                 spreads.emplace_back(Eigen::Matrix3d::Zero());
             }
             votes[number[root]][static_cast<std::size_t>(cells_[a].kind)] += cells_[a].area;
+            out[first + number[root]].thickness += cells_[a].area * cells_[a].thickness;
             spreads[number[root]] += cells_[a].area * cells_[a].along * cells_[a].along.transpose();
         }
         for (std::size_t k = 0; k < votes.size(); ++k) {
@@ -308,25 +342,18 @@ private:
             core.triangles.push_back(i);
             core.area += s_.geometry.areas[i];
         }
+        for (std::size_t k = first; k < out.size(); ++k)
+            out[k].thickness = slanted_ ? out[k].thickness / out[k].area : median_thickness(s_, out[k].triangles);
     }
 
     const Surface& s_;
     double total_area_;
     double all_cells_;
-    bool bends_;  ///< sticks are not parted where they turn
+    bool slanted_;  ///< the second search: walls that are not parallel; sticks are not parted where they turn
     std::vector<std::int32_t>& cell_of_;
     std::vector<Cell> cells_;
     std::vector<std::int32_t> seeds_;
 };
-
-double median_thickness(const Surface& s, const std::vector<std::int32_t>& triangles) {
-    std::vector<float> all;
-    all.reserve(triangles.size());
-    for (const std::int32_t i : triangles) all.push_back(s.thickness.distances[i]);
-    const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
-    std::nth_element(all.begin(), middle, all.end());
-    return *middle;
-}
 
 /// How alike neighbours must be to belong to one component.
 struct Likeness {
@@ -376,9 +403,10 @@ std::vector<Core> find_components(const Surface& s, const std::vector<char>& tak
     return components;
 }
 
-/// Thickness may change along a part, but not without limit: a wedge that stands on a board is not the board.
-void drop_odd_thickness(const Surface& s, Core& component) {
-    const auto low = static_cast<float>(component.thickness / odd_thickness);
+/// Thickness may change along a part, but not without limit: a wedge that stands on a board is not the board. Where
+/// walls are slanted they meet at edges, and are thin there.
+void drop_odd_thickness(const Surface& s, Core& component, bool slanted) {
+    const auto low = slanted ? 0.0F : static_cast<float>(component.thickness / odd_thickness);
     const auto high = static_cast<float>(component.thickness * odd_thickness);
     std::erase_if(component.triangles,
                   [&](std::int32_t i) { return s.thickness.distances[i] < low || s.thickness.distances[i] > high; });
@@ -388,18 +416,19 @@ void drop_odd_thickness(const Surface& s, Core& component) {
 
 /// The parts of components that can be cores.
 std::vector<Core> divide(const Surface& s, std::vector<Core> components, double total_area, double least_cubes,
-                         bool bends) {
+                         bool slanted) {
     std::vector<std::int32_t> cell_of(s.count(), -1);
-    Divider divider(s, total_area, bends, cell_of);
+    Divider divider(s, total_area, slanted, cell_of);
     const auto too_small = [&](Core& core) {
-        if (core.area < least_share * total_area) return true;
-        core.thickness = median_thickness(s, core.triangles);
-        return core.thickness < s.grain || core.area < least_cubes * core.thickness * core.thickness;
+        return core.area < least_share * total_area || core.thickness < s.grain ||
+               core.area < least_cubes * core.thickness * core.thickness;
     };
     std::vector<Core> cores;
     for (Core& component : components) {
-        if (component.triangles.size() < 4 || too_small(component)) continue;
-        drop_odd_thickness(s, component);
+        if (component.triangles.size() < 4) continue;
+        component.thickness = median_thickness(s, component.triangles);
+        if (too_small(component)) continue;
+        drop_odd_thickness(s, component, slanted);
         divider.divide(component, cores);
     }
     std::erase_if(cores, [&](Core& core) { return core.kind == Solidity::unknown || too_small(core); });
@@ -415,7 +444,7 @@ Cores find_cores(const Surface& s) {
     for (const Core& core : cores)
         for (const std::int32_t i : core.triangles) taken[i] = 1;
     // Walls that are not parallel, such as those of a stick with three sides, in what is left.
-    for (Core& core : divide(s, find_components(s, taken, {slanted_cosine, 2}), total, 4, true))
+    for (Core& core : divide(s, find_components(s, taken, {slanted_cosine, 4}), total, 4, true))
         if (core.kind == Solidity::stick) cores.push_back(std::move(core));
     std::stable_sort(cores.begin(), cores.end(), [](const Core& a, const Core& b) { return a.area > b.area; });
     Cores result{std::move(cores), std::vector<std::int32_t>(s.count(), -1)};

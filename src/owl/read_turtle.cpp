@@ -61,7 +61,6 @@ private:
     std::string base_;
     Graph& graph_;
     std::map<std::string, std::string, std::less<>> prefixes_;
-    std::map<std::string, Node, std::less<>> labels_;
     int depth_ = 0;
 };
 
@@ -172,10 +171,9 @@ Node TurtleReader::term() {
         case Kind::name:
             return named();
         case Kind::blank: {
-            const auto [entry, is_new] = labels_.try_emplace(lexer_.text, 0);
-            if (is_new) entry->second = graph_.blank();
+            const Node node = graph_.blank(lexer_.text);
             lexer_.next();
-            return entry->second;
+            return node;
         }
         case Kind::string:
             return string_literal();
