@@ -115,8 +115,8 @@ Chords chords_through_middle(const Surface& s, std::int32_t t, double& thickness
     const Vec3 n = s.normals[t], x = chords.along.cross(n);
     Vec3 middle = s.geometry.barycentres[t] - n * (s.thickness.distances[t] / 2);
     const auto centre = [&](const Vec3& d) {
-        const double ahead = std::min<double>(s.scene->exit_wall(middle, d).distance, s.size);
-        const double behind = std::min<double>(s.scene->exit_wall(middle, -d).distance, s.size);
+        const double ahead = std::min<double>(s.scene->exit_wall({middle, d}).distance, s.size);
+        const double behind = std::min<double>(s.scene->exit_wall({middle, -d}).distance, s.size);
         middle += d * ((ahead - behind) / 2);
         return ahead + behind;
     };
