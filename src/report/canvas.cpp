@@ -6,6 +6,7 @@
 #include <png.h>
 
 #include <algorithm>
+#include <cstring>
 #include <optional>
 
 #include "base/errors.h"
@@ -38,7 +39,15 @@ std::optional<Palette> make_palette(const Canvas& canvas) {
     palette.pixels.resize(canvas.rgb.size() / 3);
     Color last{};
     std::uint8_t last_index = 0;
+    constexpr std::size_t run = 8;  // most pixels are like the ones before them
+    std::array<std::uint8_t, 3 * run> like_last{};
     for (std::size_t p = 0; p < palette.pixels.size(); ++p) {
+        while (p > 0 && p + run <= palette.pixels.size() &&
+               std::memcmp(&canvas.rgb[3 * p], like_last.data(), like_last.size()) == 0) {
+            std::fill_n(palette.pixels.begin() + static_cast<std::ptrdiff_t>(p), run, last_index);
+            p += run;
+        }
+        if (p == palette.pixels.size()) break;
         const Color color{canvas.rgb[3 * p], canvas.rgb[3 * p + 1], canvas.rgb[3 * p + 2]};
         if (p == 0 || color != last) {
             const std::uint32_t key = color[0] | color[1] << 8 | color[2] << 16;
@@ -52,6 +61,7 @@ std::optional<Palette> make_palette(const Canvas& canvas) {
             }
             last = color;
             last_index = static_cast<std::uint8_t>(table[slot] - 1);
+            for (std::size_t i = 0; i < like_last.size(); ++i) like_last[i] = color[i % 3];
         }
         palette.pixels[p] = last_index;
     }

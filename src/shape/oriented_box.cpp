@@ -192,6 +192,7 @@ private:
 };
 
 constexpr Eigen::Index most_points_for_triples = 8;
+constexpr std::size_t most_points_at_once = 48;  // of more, those that are extreme somewhere take part first
 constexpr double second_chance = 1.01;  // a second box this near in volume may turn out to be the smaller one
 constexpr double fine_gain = 1e-7;  // a round of turning that gains less is the last
 
@@ -330,7 +331,7 @@ OrientedBox smallest_box(std::span<const Vec3> points) {
     if (points.empty()) throw std::invalid_argument("smallest_box needs at least one point.");
     static const Points fixed = spread_directions(80);
     std::vector<Eigen::Index> chosen;
-    if (points.size() > 256) {
+    if (points.size() > most_points_at_once) {
         const Eigen::Map<const Points> all(points.data()->data(), 3, static_cast<Eigen::Index>(points.size()));
         chosen = extreme_points(points, fitted_directions(fixed, principal_axes(all)));
     } else {
