@@ -1,7 +1,7 @@
 // One ray a pixel or less, then four more in the pixels that need them.
 //
-// A block of 8 x 8 pixels is seen by 16 rays first, and by the other 48 only where these differ: background and large
-// triangles cost a quarter. What is thinner than two pixels may go unseen between them.
+// A block of 8 x 8 pixels is seen by 16 rays first, and by the other 48 only where these show more than one smooth
+// surface: the inside of parts and the background cost a quarter. What is thinner than two pixels may go unseen between them.
 //
 // The first pass knows the triangle behind each pixel's middle. Two pixels beside each other are split when they show
 // different parts, or when one surface, continued as a plane, misses the other by more than 2 % of the object: there
@@ -21,6 +21,7 @@
 #include <cstdlib>
 
 #include "report/picture_rays.h"
+#include "shape/ranges.h"
 
 namespace partonomy {
 namespace {
@@ -90,15 +91,23 @@ public:
         : canvas_(canvas), frame_(frame), facets_(facets), hits_(pixel_count(), -1), finer_(pixel_count(), -1) {}
 
     void draw(const PictureRays& rays, const Camera& camera, int threads) {
-        for_each_index(threads, (frame_.height + block - 1) / block, [&](int band) {
+        const auto each = [&](std::size_t count, std::size_t grain, const auto& work) {
+            for_each_range(
+                count, threads,
+                [&](std::size_t begin, std::size_t end) {
+                    for (std::size_t i = begin; i < end; ++i) work(static_cast<int>(i));
+                },
+                grain);
+        };
+        const auto rows = static_cast<std::size_t>(frame_.height);
+        each((rows + block - 1) / block, 1, [&](int band) {
             for (int left = 0; left < frame_.width; left += block) cast_block(rays, camera, left, band * block);
         });
         find_borders();
         samples_.resize(borders_.size());
-        const int packets = static_cast<int>((borders_.size() + 3) / 4);
-        for_each_index(threads, packets,
-                       [&](int packet) { cast_finer(rays, camera, static_cast<std::size_t>(packet) * 4); });
-        for_each_index(threads, frame_.height, [&](int y) { paint_row(y); });
+        each((borders_.size() + 3) / 4, 64,
+             [&](int packet) { cast_finer(rays, camera, static_cast<std::size_t>(packet) * 4); });
+        each(rows, block, [&](int y) { paint_row(y); });
     }
 
 private:
@@ -109,7 +118,7 @@ private:
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(frame_.width) + static_cast<std::size_t>(x);
     }
 
-    /// Sees every other pixel of every other row first: where all of them show one triangle (or nothing), so do the rest.
+    /// Sees every other pixel of every other row first: where they show one smooth surface (or nothing), the rest does.
     void cast_block(const PictureRays& rays, const Camera& camera, int left, int top) {
         std::array<std::int32_t, static_cast<std::size_t>(block* block)> seen{};
         RayPacket packet;
@@ -128,9 +137,19 @@ private:
                 seen[static_cast<std::size_t>(y * block + x)] = packet.triangle[i];
             }
         };
+        const auto is_plain = [&] {
+            for (std::size_t i = 1; i < RayPacket::size; ++i)
+                if (border(packet.triangle[0], packet.x[0], packet.y[0], packet.triangle[i], packet.x[i],
+                           packet.y[i]) != Border::none)
+                    return false;
+            return true;
+        };
         cast_quarter(0, 0);
-        if (std::ranges::count(packet.triangle, packet.triangle[0]) == RayPacket::size) {
-            seen.fill(packet.triangle[0]);
+        if (is_plain()) {
+            for (int y = 0; y < block; ++y)
+                for (int x = 0; x < block; ++x)
+                    seen[static_cast<std::size_t>(y * block + x)] =
+                        seen[static_cast<std::size_t>((y & ~1) * block + (x & ~1))];
         } else {
             cast_quarter(1, 0);
             cast_quarter(0, 1);

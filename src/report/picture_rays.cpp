@@ -1,11 +1,7 @@
 #include "report/picture_rays.h"
 
 #include <embree3/rtcore.h>
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
-#include <algorithm>
 #include <limits>
 
 namespace partonomy {
@@ -48,18 +44,6 @@ void PictureRays::cast(const Camera& camera, RayPacket& packet) const {
     for (std::size_t i = 0; i < RayPacket::size; ++i)
         packet.triangle[i] =
             rays.hit.geomID[i] == RTC_INVALID_GEOMETRY_ID ? -1 : static_cast<std::int32_t>(rays.hit.primID[i]);
-}
-
-void for_each_index(int threads, int count, const std::function<void(int)>& work) {
-    // More than TBB has would make it warn on stderr.
-    const auto most = static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
-    threads = threads <= 0 ? most : std::min(threads, most);
-    if (threads <= 1) {
-        for (int i = 0; i < count; ++i) work(i);
-        return;
-    }
-    tbb::task_arena arena(threads);
-    arena.execute([&] { tbb::parallel_for(0, count, work); });
 }
 
 }  // namespace partonomy

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <memory>
 
 #include "mesh/triangle_mesh.h"
@@ -41,8 +40,5 @@ private:
     std::unique_ptr<const RayTree> own_;
     const RayTree* tree_;
 };
-
-/// Calls work(i) for i in [0, count), on up to `threads` threads, in any order.
-void for_each_index(int threads, int count, const std::function<void(int)>& work);
 
 }  // namespace partonomy

@@ -21,6 +21,7 @@
 #include "base/errors.h"
 #include "report/part_names.h"
 #include "report/write.h"
+#include "shape/ranges.h"
 
 namespace partonomy {
 namespace {
@@ -166,9 +167,17 @@ void write_outputs(const fs::path& folder, const std::set<std::string>& formats,
     check_formats(formats);
     if (folder.empty()) throw UsageError("the output folder has no name");
     Files files;
+    std::vector<std::pair<std::string_view, std::string*>> tasks;
     for (const Format& format : known_formats)
         if (formats.contains(std::string(format.name)))
-            files[std::string(format.file)] = render(format.name, mesh, annotation, up, preview);
+            tasks.emplace_back(format.name, &files[std::string(format.file)]);
+    for_each_range(
+        tasks.size(), preview.threads,
+        [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                *tasks[i].second = render(tasks[i].first, mesh, annotation, up, preview);
+        },
+        1);
     const fs::path place = folder.has_filename() ? folder : folder.parent_path();
     std::error_code error;
     const fs::file_status status = fs::status(place, error);

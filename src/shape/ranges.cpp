@@ -1,18 +1,24 @@
 #include "shape/ranges.h"
 
 #include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+
+#include <algorithm>
 
 namespace partonomy {
 
 void for_each_range(std::size_t count, int threads, const std::function<void(std::size_t, std::size_t)>& work,
                     std::size_t grain) {
+    // More than TBB has would make it warn on stderr.
+    const auto most = static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+    threads = threads <= 0 ? most : std::min(threads, most);
     if (threads == 1 || count <= grain) {
         work(0, count);
         return;
     }
-    tbb::task_arena arena(threads <= 0 ? tbb::task_arena::automatic : threads);
+    tbb::task_arena arena(threads);
     arena.execute([&] {
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain),
                           [&](const tbb::blocked_range<std::size_t>& range) { work(range.begin(), range.end()); });
