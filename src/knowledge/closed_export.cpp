@@ -71,6 +71,11 @@ owl::Ontology closed_ontology(const ClosedWorld& world) {
     owl::Ontology result = world.ontology;
     for (owl::Axiom& axiom : result.axioms) axiom = Closer().closed(axiom);
     std::erase_if(result.entities, [](const owl::Entity& entity) { return is_anonymous(entity.iri); });
+    result.annotations.clear();
+    for (const auto& [iri, annotations] : world.ontology.annotations) {
+        std::vector<owl::Annotation>& copies = result.annotations[name_of(iri)] = annotations;
+        for (owl::Annotation& annotation : copies) annotation.iri = name_of(annotation.iri);
+    }
     for (const Iri& iri : everybody)
         if (result.find(iri, owl::EntityKind::individual) == nullptr) {
             const auto place =

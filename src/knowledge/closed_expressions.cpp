@@ -65,7 +65,8 @@ int Grounder::intern(const ClassExpression& expression) {
                                " is no individual of this closed world; name one of its individuals"};
         made.individuals.push_back(individuals.add(individual));
     }
-    if (made.kind == ClassKind::intersection_of || made.kind == ClassKind::union_of) std::ranges::sort(made.operands);
+    if (made.kind == ClassKind::intersection_of || made.kind == ClassKind::union_of) make_set(made.operands, 0);
+    make_set(made.individuals, 0);
 
     std::vector<std::int64_t> key{static_cast<int>(made.kind),
                                   made.name,

@@ -42,7 +42,7 @@ bool is_one_of(const std::string& name, std::initializer_list<const char*> names
 std::string comparison(const RuleAtom& atom) {
     const std::string name = owl::local_name(atom.iri);
     const bool is_known =
-        atom.iri.starts_with(owl::swrl_prefix) &&
+        atom.iri.starts_with(owl::swrlb_prefix) &&
         is_one_of(name, {"equal", "notEqual", "lessThan", "lessThanOrEqual", "greaterThan", "greaterThanOrEqual"});
     if (!is_known) {
         throw CannotGround{"the built-in " + name +
@@ -92,6 +92,7 @@ private:
     }
 
     void declare(const RuleAtom& atom, bool is_body) {
+        if (atom.kind == RuleAtom::Kind::built_in) (void)comparison(atom);  // throws for what is none
         for (std::size_t i = 0; i < atom.arguments.size(); ++i) {
             const RuleTerm& term = atom.arguments[i];
             const bool is_data = atom.kind == RuleAtom::Kind::of_data_range || atom.kind == RuleAtom::Kind::built_in ||

@@ -60,8 +60,9 @@ double roughness(const Adjacency& adjacency, const TriangleGeometry& geometry) {
     return std::acos(std::clamp(*middle, -1.0, 1.0)) * 180 / std::numbers::pi;
 }
 
-double calm(TriangleMesh& mesh, const Adjacency& adjacency, TriangleGeometry& geometry) {
-    if (roughness(adjacency, geometry) < clean_degrees) return 0;
+Calming calm(TriangleMesh& mesh, const Adjacency& adjacency, TriangleGeometry& geometry) {
+    const double before = roughness(adjacency, geometry);
+    if (before < clean_degrees) return {};
     double area = 0;
     for (const double a : geometry.areas) area += a;
     std::vector<Vec3> sum;
@@ -74,7 +75,7 @@ double calm(TriangleMesh& mesh, const Adjacency& adjacency, TriangleGeometry& ge
         geometry = compute_geometry(mesh);
         if (roughness(adjacency, geometry) < calm_degrees) break;
     }
-    return grain * std::sqrt(area / static_cast<double>(geometry.areas.size()));
+    return {grain * std::sqrt(area / static_cast<double>(geometry.areas.size())), before > calm_degrees};
 }
 
 }  // namespace partonomy

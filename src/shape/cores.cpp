@@ -369,7 +369,7 @@ std::vector<Core> find_components(const Surface& s, const std::vector<char>& tak
     const auto& opposite = s.thickness.opposites;
     std::vector<char> wall(count);
     for (std::size_t i = 0; i < count; ++i)
-        wall[i] = !taken[i] && opposite[i] >= 0 && !taken[opposite[i]] &&
+        wall[i] = !taken[i] && !s.in_crease(i) && opposite[i] >= 0 && !taken[opposite[i]] &&
                   -s.normals[i].dot(s.normals[opposite[i]]) > like.wall_cosine;
     const auto step = static_cast<float>(like.thickness_step);
     const auto alike = [&](std::size_t i, std::int32_t j) {

@@ -190,9 +190,11 @@ std::vector<PartRegion> find_parts(const TriangleMesh& mesh, const FindPartsOpti
     s.adjacency = build_adjacency(s.mesh);
     s.geometry = compute_geometry(s.mesh);
     clock.done("adjacency");
-    s.grain = calm(s.mesh, s.adjacency, s.geometry);
+    const Calming calming = calm(s.mesh, s.adjacency, s.geometry);
+    s.grain = calming.grain;
     const bool was_rough = s.grain > 0;
     s.normals = s.geometry.normals;
+    if (calming.is_blurred) s.creases = find_creases(s);
     clock.done("calm");
     // A calmed mesh is another one: the caller's triangles are no longer what rays should meet.
     s.scene = was_rough ? std::make_unique<RayScene>(s.mesh, options.threads)

@@ -120,7 +120,8 @@ void merge_parts(const Surface& s, Parts& parts) {
                 common.add(from, to);
                 border[own] += (to - from).norm();
                 const bool concave = (s.geometry.barycentres[j] - s.geometry.barycentres[i]).dot(s.normals[i]) > 0;
-                if (!concave || s.normals[i].dot(s.normals[j]) > 0.94) common.smooth += (to - from).norm();
+                if (!s.in_crease(i) && (!concave || s.normals[i].dot(s.normals[j]) > 0.94))
+                    common.smooth += (to - from).norm();
             }
         const std::vector<Lie> lie = lies(s, parts);
         for (const auto& [pair, common] : borders) {

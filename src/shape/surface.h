@@ -18,12 +18,17 @@ struct Surface {
     TriangleGeometry geometry;  ///< of the fine triangles as they are
     std::vector<Vec3> normals;  ///< smoothed where the mesh is noisy
     Thickness thickness;        ///< along the smoothed normals
+    std::vector<char> creases;  ///< triangles in concave creases, where noise was taken out; empty for a clean mesh
     std::unique_ptr<RayScene> scene;  ///< the caller's triangles; hits are told in fine ones
-    int threads = 1;       ///< to use; <= 0: all cores
-    double size = 0;       ///< diagonal of the bounding box
-    double grain = 0;      ///< what is thinner than this may be nothing but noise; 0 for a clean mesh
+    int threads = 1;                  ///< to use; <= 0: all cores
+    double size = 0;                  ///< diagonal of the bounding box
+    double grain = 0;                 ///< what is thinner than this may be nothing but noise; 0 for a clean mesh
 
     [[nodiscard]] std::size_t count() const { return mesh.triangles.size(); }
+    [[nodiscard]] bool in_crease(std::size_t i) const { return !creases.empty() && creases[i]; }
 };
+
+/// The triangles in concave creases, also where a crease is spread over some triangles.
+[[nodiscard]] std::vector<char> find_creases(const Surface& surface);
 
 }  // namespace partonomy

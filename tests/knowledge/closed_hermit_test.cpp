@@ -1,0 +1,138 @@
+/* HermiT's second opinion on random closed knowledge bases: consistency, and every entailed class, property and
+   equality assertion, on the exported closed ontology. */
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <set>
+#include <sstream>
+
+#include "base/errors.h"
+#include "base/files.h"
+#include "closed_answer.h"
+#include "closed_random.h"
+#include "owl/write.h"
+
+using namespace partonomy;
+using knowledge::ClosedWorld;
+
+namespace {
+
+std::filesystem::path hermit_jar() {
+    const std::filesystem::path root = PARTONOMY_SOURCE_DIR "/.venv/lib";
+    if (!std::filesystem::exists(root)) return {};
+    for (const auto& python : std::filesystem::directory_iterator(root)) {
+        const auto jar = python.path() / "site-packages/owlready2/hermit/HermiT.jar";
+        if (std::filesystem::exists(jar)) return jar;
+    }
+    return {};
+}
+
+/// One line of HermitJudge for each world.
+std::vector<std::string> hermit_on(const std::vector<ClosedWorld>& worlds) {
+    const auto folder = std::filesystem::temp_directory_path() / ("partonomy-hermit-" + std::to_string(::getpid()));
+    std::filesystem::create_directories(folder);
+    std::string text;
+    for (const ClosedWorld& world : worlds) text += owl::write_functional(knowledge::closed_ontology(world)) + "%%%%\n";
+    write_file(folder / "in", text);
+    const std::string command = "java -XX:+UseSerialGC -cp '" + hermit_jar().string() +
+                                "' " PARTONOMY_SOURCE_DIR "/tests/knowledge/HermitJudge.java < " +
+                                (folder / "in").string() + " > " + (folder / "out").string() + " 2> " +
+                                (folder / "err").string();
+    const int code = std::system(command.c_str());
+    EXPECT_EQ(code, 0) << read_file(folder / "err");
+    std::istringstream out(read_file(folder / "out"));
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(out, line);) lines.push_back(line);
+    std::filesystem::remove_all(folder);
+    EXPECT_EQ(lines.size(), worlds.size());
+    lines.resize(worlds.size());
+    return lines;
+}
+
+std::string ours_on(const ClosedWorld& world) { return line_of(our_answer(world)); }
+
+ClosedWorld without(const ClosedWorld& world, std::size_t axiom) {
+    ClosedWorld result = world;
+    result.ontology.axioms.erase(result.ontology.axioms.begin() + static_cast<std::ptrdiff_t>(axiom));
+    return result;
+}
+
+bool is_judged(const std::string& line) { return !line.starts_with("failed"); }
+
+/// Drops axioms while HermiT and we still disagree.
+ClosedWorld shrunk(ClosedWorld world) {
+    for (bool is_smaller = true; is_smaller;) {
+        is_smaller = false;
+        std::vector<ClosedWorld> smaller;
+        for (std::size_t i = 0; i < world.ontology.axioms.size(); ++i) smaller.push_back(without(world, i));
+        const std::vector<std::string> theirs = hermit_on(smaller);
+        for (std::size_t i = 0; i < smaller.size() && !is_smaller; ++i) {
+            try {
+                if (!is_judged(theirs[i]) || ours_on(smaller[i]) == theirs[i]) continue;
+            } catch (const OntologyError&) {
+                continue;
+            }
+            world = smaller[i];
+            is_smaller = true;
+        }
+    }
+    return world;
+}
+
+unsigned environment(const char* name, unsigned otherwise) {
+    const char* value = std::getenv(name);
+    return value == nullptr ? otherwise : static_cast<unsigned>(std::atoi(value));
+}
+
+}  // namespace
+
+TEST(ClosedWorldHermit, AgreesOnRandomKnowledgeBases) {
+    if (hermit_jar().empty() || std::system("java -version > /dev/null 2>&1") != 0)
+        GTEST_SKIP() << "no HermiT: run ./dev setup";
+    const unsigned first = environment("PARTONOMY_SEED", 1), wanted = environment("PARTONOMY_WORLDS", 1200);
+    std::cout << "seeds " << first << " to " << first + wanted - 1 << "\n";
+    std::vector<ClosedWorld> worlds;
+    closed_random::Census census;
+    for (unsigned seed = first; seed < first + wanted; ++seed) {
+        closed_random::Shape shape;
+        shape.individuals = 1 + static_cast<int>(seed % 4);
+        shape.axioms = 2 + seed % 11;
+        worlds.push_back(closed_random::Generator(seed, shape).world());
+    }
+    const std::vector<std::string> theirs = hermit_on(worlds);
+    std::map<std::string, int> failures;
+    unsigned judged = 0, consistent = 0, entailments = 0, shown = 0, disagreements = 0;
+    for (std::size_t i = 0; i < worlds.size(); ++i) {
+        const std::string ours = ours_on(worlds[i]);
+        if (!is_judged(theirs[i])) {
+            ++failures[theirs[i].substr(0, 100)];
+            continue;
+        }
+        ++judged;
+        closed_random::count(worlds[i], census);
+        consistent += ours != "inconsistent";
+        entailments += static_cast<unsigned>(std::ranges::count(ours, '(') + std::ranges::count(ours, '='));
+        if (ours == theirs[i]) continue;
+        ++disagreements;
+        if (++shown > environment("PARTONOMY_SHOWN", 3)) continue;
+        const ClosedWorld small = shrunk(worlds[i]);
+        ADD_FAILURE() << "seed " << first + i << "\n"
+                      << owl::write_functional(knowledge::closed_ontology(small)) << "ours:   " << ours_on(small)
+                      << "\ntheirs: " << hermit_on({small})[0];
+    }
+    std::cout << judged << " judged, " << consistent << " consistent, " << entailments << " entailments, "
+              << disagreements << " disagreements\n";
+    for (const auto& [why, count] : failures) std::cout << count << " x " << why << "\n";
+    EXPECT_EQ(disagreements, 0U);
+    if (wanted >= 1200) {
+        EXPECT_GE(judged, 1000U);
+        for (const std::string& construct : closed_random::all_constructs(false))
+            EXPECT_GT(census[construct], 0) << construct;
+    }
+}

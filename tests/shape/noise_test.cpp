@@ -1,0 +1,139 @@
+// Fresh noise of two kinds on a cube that carries two boards and a stick, as in Fig. 16 of the paper: waves of many
+// lengths along the normals (a scan of a dented thing), and each vertex by itself (a bad scan). Told as root mean
+// square of the shift, relative to the diagonal of the bounding box.
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "shape/calm.h"
+#include "shape/find_parts.h"
+#include "shape/shapes.h"
+
+namespace partonomy {
+namespace {
+
+using shapes::Labelled;
+
+constexpr int cube = 0, upright = 1, level = 2, stick = 3;
+
+Labelled cube_with_parts() {
+    return shapes::join({{Vec3(0, 0, 0), Vec3(1, 1, 1), cube},
+                         {Vec3(0.1, 0.7, 1), Vec3(0.9, 0.9, 1.7), upright},
+                         {Vec3(1, 0.1, 0.5), Vec3(1.5, 0.9, 0.64), level},
+                         {Vec3(0.1, 0.1, -0.8), Vec3(0.4, 0.4, 0), stick}},
+                        0.022);
+}
+
+std::vector<Vec3> vertex_normals(const TriangleMesh& mesh) {
+    std::vector<Vec3> normals(mesh.positions.size(), Vec3::Zero());
+    for (const auto& t : mesh.triangles) {
+        const Vec3 &a = mesh.positions[static_cast<std::size_t>(t[0])],
+                   &b = mesh.positions[static_cast<std::size_t>(t[1])],
+                   &c = mesh.positions[static_cast<std::size_t>(t[2])];
+        for (const std::int32_t v : t) normals[static_cast<std::size_t>(v)] += (b - a).cross(c - a);
+    }
+    for (Vec3& normal : normals) normal.normalize();
+    return normals;
+}
+
+void add_waves(TriangleMesh& mesh, double level_of_noise, std::mt19937& random) {
+    std::normal_distribution<double> normal;
+    std::uniform_real_distribution<double> phase(0, 2 * std::numbers::pi);
+    const double size = compute_bounds(mesh).diagonal();
+    std::vector<double> height(mesh.positions.size(), 0.0);
+    for (double length = 0.5; length > 0.03; length /= 2)
+        for (int k = 0; k < 8; ++k) {
+            Vec3 wave(normal(random), normal(random), normal(random));
+            wave *= 2 * std::numbers::pi / (length * size * wave.norm());
+            const double start = phase(random);
+            for (std::size_t v = 0; v < height.size(); ++v)
+                height[v] += length * std::sin(mesh.positions[v].dot(wave) + start);
+        }
+    double sum = 0;
+    for (const double h : height) sum += h * h;
+    const double scale = level_of_noise * size / std::sqrt(sum / static_cast<double>(height.size()));
+    const std::vector<Vec3> normals = vertex_normals(mesh);
+    for (std::size_t v = 0; v < height.size(); ++v) mesh.positions[v] += scale * height[v] * normals[v];
+}
+
+void add_grains(TriangleMesh& mesh, double level_of_noise, std::mt19937& random) {
+    std::normal_distribution<double> normal(0, level_of_noise * compute_bounds(mesh).diagonal() / std::sqrt(3.0));
+    for (Vec3& point : mesh.positions) point += Vec3(normal(random), normal(random), normal(random));
+}
+
+struct Noise {
+    const char* name;
+    void (*add)(TriangleMesh&, double, std::mt19937&);
+    double level, accuracy;
+};
+
+class FreshNoise : public testing::TestWithParam<Noise> {};
+
+TEST_P(FreshNoise, FourRegionsWithTheRightShapes) {
+    const Labelled clean = cube_with_parts();
+    const std::map<int, char> shapes = {{cube, 'C'}, {upright, 'B'}, {level, 'B'}, {stick, 'S'}};
+    for (const unsigned seed : {1U, 2U, 3U}) {
+        SCOPED_TRACE(seed);
+        std::mt19937 random(seed);
+        TriangleMesh mesh = clean.mesh;
+        GetParam().add(mesh, GetParam().level, random);
+        const std::vector<PartRegion> parts = find_parts(mesh);
+        EXPECT_EQ(parts.size(), 4U);
+        std::size_t good = 0;
+        for (const PartRegion& part : parts) {
+            std::map<int, std::size_t> votes;
+            for (const std::int32_t t : part.region.triangles) ++votes[clean.parts[static_cast<std::size_t>(t)]];
+            const auto best = std::max_element(votes.begin(), votes.end(),
+                                               [](const auto& a, const auto& b) { return a.second < b.second; });
+            good += best->second;
+            const Vec3& l = part.box.lengths;
+            EXPECT_EQ(l[1] > 2 * l[2] ? 'B' : l[0] > 2 * l[1] ? 'S' : 'C', shapes.at(best->first)) << best->first;
+        }
+        EXPECT_GE(static_cast<double>(good) / static_cast<double>(mesh.triangles.size()), GetParam().accuracy);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, FreshNoise,
+                         testing::Values(Noise{"Waves05", add_waves, 0.005, 0.99},
+                                         Noise{"Waves10", add_waves, 0.01, 0.98},
+                                         Noise{"Grains05", add_grains, 0.005, 0.99},
+                                         Noise{"Grains10", add_grains, 0.01, 0.985}),
+                         [](const auto& noise) { return std::string(noise.param.name); });
+
+TEST(Roughness, TellsNoiseFromShape) {
+    const auto measure = [](const TriangleMesh& mesh) {
+        return roughness(build_adjacency(mesh), compute_geometry(mesh));
+    };
+    EXPECT_LT(measure(shapes::cylinder(0.05, 1, 12, 10)), 0.1);
+    const Labelled clean = cube_with_parts();
+    EXPECT_LT(measure(clean.mesh), 0.1);
+    std::mt19937 random(7);
+    TriangleMesh rough = clean.mesh;
+    add_grains(rough, 0.002, random);
+    EXPECT_GT(measure(rough), 3);
+}
+
+TEST(Calm, LeavesCleanMeshesAloneAndCalmsRoughOnes) {
+    TriangleMesh mesh = cube_with_parts().mesh;
+    const Adjacency adjacency = build_adjacency(mesh);
+    TriangleGeometry geometry = compute_geometry(mesh);
+    const std::vector<Vec3> before = mesh.positions;
+    EXPECT_EQ(calm(mesh, adjacency, geometry).grain, 0);
+    EXPECT_EQ(mesh.positions, before);
+    std::mt19937 random(8);
+    add_grains(mesh, 0.005, random);
+    geometry = compute_geometry(mesh);
+    const double rough = roughness(adjacency, geometry);
+    const Calming calming = calm(mesh, adjacency, geometry);
+    EXPECT_GT(calming.grain, 0);
+    EXPECT_TRUE(calming.is_blurred);
+    EXPECT_LT(roughness(adjacency, geometry), 3);
+    EXPECT_GT(rough, 20);
+    double off = 0;  // root mean square distance from the clean surface's vertices
+    for (std::size_t v = 0; v < before.size(); ++v) off += (mesh.positions[v] - before[v]).squaredNorm();
+    EXPECT_LT(std::sqrt(off / static_cast<double>(before.size())), 0.6 * 0.005 * compute_bounds(mesh).diagonal());
+}
+
+}  // namespace
+}  // namespace partonomy
