@@ -25,6 +25,7 @@ void add_check_command(CLI::App& app, Run& run);
 void add_tree_command(CLI::App& app, Run& run);
 void add_eval_command(CLI::App& app, Run& run);
 void add_explain_command(CLI::App& app, Run& run);
+void add_export_command(CLI::App& app, Run& run);
 void add_catalogue_command(CLI::App& app, Run& run);
 
 /// --ontology and --import-dir, as several commands take them.

@@ -11,7 +11,7 @@
 namespace partonomy::app {
 
 void OntologyArguments::add_to(CLI::App& command, bool positional) {
-    command.add_option(positional ? "ONTOLOGY" : "--ontology,-O", path, "the ontology, Turtle or RDF/XML")->required();
+    command.add_option(positional ? "ONTOLOGY" : "--ontology,-O", path, "the ontology, in any syntax of OWL 2")->required();
     command.add_option("--import-dir", import_folders, "folder to search for imported ontologies (repeatable)");
 }
 
@@ -39,6 +39,7 @@ int main(int argc, char** argv) {
     add_tree_command(app, run);
     add_explain_command(app, run);
     add_eval_command(app, run);
+    add_export_command(app, run);
     add_catalogue_command(app, run);
     try {
         app.parse(argc, argv);

@@ -32,6 +32,9 @@ struct Documents {
                                           const std::optional<std::filesystem::path>& folder,
                                           const std::vector<std::filesystem::path>& import_folders);
 
+/// One ontology of documents that were read. Throws OntologyError for what is no OWL 2.
+[[nodiscard]] Ontology merge(Documents&& documents);
+
 /// The file that a catalog-v001.xml in `folder` gives for `iri`; nothing when there is no catalog or no entry.
 /// Throws OntologyError when the catalog is broken.
 [[nodiscard]] std::optional<std::filesystem::path> look_up_catalog(const std::filesystem::path& folder, const Iri& iri);

@@ -1,6 +1,7 @@
 #include "owl/ontology.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "base/errors.h"
 #include "base/files.h"
@@ -17,6 +18,8 @@ bool declares_ontology(const Graph& graph) {
                graph.terms[triple.object].word == Word::owl_Ontology;
     });
 }
+
+}  // namespace
 
 Ontology merge(Documents&& documents) {
     Ontology ontology;
@@ -41,11 +44,19 @@ Ontology merge(Documents&& documents) {
     return ontology;
 }
 
-}  // namespace
-
 std::string local_name(const Iri& iri) {
     const std::size_t cut = iri.find_last_of("#/");
     return cut == std::string::npos ? iri : iri.substr(cut + 1);
+}
+
+std::strong_ordering DataRange::operator<=>(const DataRange& other) const {
+    const auto own = std::tie(kind, datatype, facets, values);
+    if (const auto order = own <=> std::tie(other.kind, other.datatype, other.facets, other.values); order != 0)
+        return order;
+    for (std::size_t i = 0; i < operands.size() && i < other.operands.size(); ++i) {
+        if (const auto order = operands[i] <=> other.operands[i]; order != 0) return order;
+    }
+    return operands.size() <=> other.operands.size();
 }
 
 const Entity* Ontology::find(const Iri& wanted, EntityKind kind) const {

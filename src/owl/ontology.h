@@ -65,8 +65,9 @@ struct DataRange {
     std::vector<std::pair<Iri, Literal>> facets;  ///< xsd:minInclusive … in the order of the file
     std::vector<Literal> values;
     std::vector<DataRange> operands;
-    std::strong_ordering operator<=>(const DataRange&) const = default;
-    bool operator==(const DataRange&) const = default;
+    // Not defaulted: clang 14 does not see the operator inside its own class.
+    [[nodiscard]] std::strong_ordering operator<=>(const DataRange& other) const;
+    [[nodiscard]] bool operator==(const DataRange& other) const { return (*this <=> other) == 0; }
 };
 
 /// An object property, or the inverse of one.

@@ -73,6 +73,12 @@ Node Graph::iri(const std::string& value, long line) {
     }
     const auto found = nodes_.find("<" + value);
     if (found != nodes_.end()) return found->second;
+    for (const char c : value) {
+        const bool is_control = static_cast<unsigned char>(c) <= ' ' || c == 127;
+        if (!is_control && std::string_view("<>\"{}|\\^`").find(c) == std::string_view::npos) continue;
+        const std::string what = c == ' ' ? "a space" : is_control ? "a control character" : between("'", {c}, "'");
+        throw OntologyError(at(file, line, "an IRI cannot hold " + what + (c == ' ' ? "; write %20" : "")));
+    }
     return intern("<" + value, {TermKind::iri, word_of(value), value, {}, {}});
 }
 

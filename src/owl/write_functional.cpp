@@ -58,6 +58,7 @@ public:
     /// With its annotations, unless there is no ontology to tell a key's properties over things from those over data.
     void write(const Axiom& axiom, const Ontology* ontology);
     void write(const Annotation& annotation, const char* call, const std::string& subject);
+    void annotation_axiom(const Iri& subject, const Annotation& note, bool is_property);
     void write(const Rule& rule);
     void annotations(const std::vector<Annotation>& list);
 
@@ -273,6 +274,22 @@ void FunctionalWriter::write(const Axiom& axiom, const Ontology* ontology) {
     close();
 }
 
+/// What is said of an entity; of an annotation property it may be its domain, range or super-property.
+void FunctionalWriter::annotation_axiom(const Iri& subject, const Annotation& note, bool is_property) {
+    const std::string rdfs = rdfs_prefix;
+    const char* axiom = note.property == rdfs + "domain"          ? "AnnotationPropertyDomain"
+                        : note.property == rdfs + "range"         ? "AnnotationPropertyRange"
+                        : note.property == rdfs + "subPropertyOf" ? "SubAnnotationPropertyOf"
+                                                                  : nullptr;
+    if (!is_property || axiom == nullptr || note.iri.empty())
+        return write(note, "AnnotationAssertion", names_(subject));
+    open(axiom);
+    annotations(note.annotations);
+    name(subject);
+    name(note.iri);
+    close();
+}
+
 std::string body_of(const Ontology& ontology, WriteNames& names) {
     FunctionalWriter writer(names);
     constexpr const char* types[] = {"Class",           "ObjectProperty", "DataProperty", "AnnotationProperty",
@@ -285,7 +302,7 @@ std::string body_of(const Ontology& ontology, WriteNames& names) {
     for (const auto& [subject, notes] : ontology.annotations) {
         for (const Annotation& note : notes) {
             if (!names.is_ours(note.source) || subject == ontology.iri) continue;
-            writer.write(note, "AnnotationAssertion", names(subject));
+            writer.annotation_axiom(subject, note, ontology.find(subject, EntityKind::annotation_property) != nullptr);
             writer.text += '\n';
         }
     }

@@ -21,6 +21,16 @@ std::string_view space_of(const Iri& iri) {
     return cut == std::string::npos ? std::string_view() : std::string_view(iri).substr(0, cut + 1);
 }
 
+/// `text` between quotation marks.
+std::string quoted(const std::string& text, const char* mark) {
+    std::string out = mark;
+    for (const char c : text) {
+        if (c == '"' || c == '\\') out += '\\';
+        out += c;
+    }
+    return out + mark;
+}
+
 }  // namespace
 
 WriteNames::WriteNames(const Ontology& ontology, const WriteOptions& options) {
@@ -78,21 +88,9 @@ std::vector<std::pair<std::string, std::string>> WriteNames::used_prefixes() con
     return list;
 }
 
-std::string quoted(const std::string& text, bool escapes_breaks) {
-    std::string out = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') out += '\\';
-        if (escapes_breaks && (c == '\n' || c == '\r')) {
-            out += c == '\n' ? "\\n" : "\\r";
-        } else {
-            out += c;
-        }
-    }
-    return out + '"';
-}
-
-std::string literal_text(const Literal& literal, WriteNames& names, bool escapes_breaks) {
-    std::string text = quoted(literal.value, escapes_breaks);
+std::string literal_text(const Literal& literal, WriteNames& names, bool is_turtle) {
+    const bool is_long = is_turtle && literal.value.find_first_of("\r\n") != std::string::npos;
+    const std::string text = quoted(literal.value, is_long ? "\"\"\"" : "\"");
     if (!literal.language.empty()) return text + "@" + literal.language;
     if (literal.datatype.empty() || literal.datatype == std::string(xsd_prefix) + "string") return text;
     return text + "^^" + names(literal.datatype);

@@ -34,11 +34,8 @@ private:
     std::vector<Iri> imports_;
 };
 
-/// `text` in quotation marks; in Turtle (`escapes_breaks`) line breaks are escaped too.
-[[nodiscard]] std::string quoted(const std::string& text, bool escapes_breaks);
-
-/// A literal, as Turtle and functional syntax both write it.
-[[nodiscard]] std::string literal_text(const Literal& literal, WriteNames& names, bool escapes_breaks);
+/// A literal. Turtle wants three quotation marks around a text with line breaks.
+[[nodiscard]] std::string literal_text(const Literal& literal, WriteNames& names, bool is_turtle);
 
 /// The version IRI among the annotations of the ontology; empty for none.
 [[nodiscard]] Iri version_of(const Ontology& ontology);

@@ -52,6 +52,32 @@ TEST(Check, NamesWhatIsWrong) {
     EXPECT_NE(result.out.find("Leg has only necessary conditions"), std::string::npos) << result.out;
 }
 
+TEST(Export, ChangesTheSyntaxAndNothingElse) {
+    const TemporaryFolder folder;
+    const auto hierarchy = [&](const std::string& path) {
+        const ProgramResult result = run_partonomy({"check", path, "--json"}, folder.path());
+        EXPECT_EQ(result.exit_code, 0) << result.err;
+        return json::parse(result.out).at("hierarchy");
+    };
+    const json expected = hierarchy(furniture_path());
+    for (const std::string name : {"out.ttl", "out.ofn"}) {
+        const ProgramResult result = run_partonomy({"export", furniture_path(), "-o", name}, folder.path());
+        ASSERT_EQ(result.exit_code, 0) << result.err;
+        EXPECT_NE(read_file(folder.path() / name).find("w3id.org/partonomy/core>"), std::string::npos) << "the import is kept";
+        EXPECT_EQ(hierarchy(name), expected);
+        ASSERT_EQ(run_partonomy({"export", name, "--merge-imports", "--format", "functional", "-o", "merged.owl"},
+                                folder.path())
+                      .exit_code,
+                  0);
+        EXPECT_EQ(read_file(folder.path() / "merged.owl").find("Import("), std::string::npos);
+        EXPECT_EQ(hierarchy("merged.owl"), expected);
+    }
+    EXPECT_EQ(run_partonomy({"export", furniture_path()}, folder.path()).out, read_file(folder.path() / "out.ttl"));
+    const ProgramResult unclear = run_partonomy({"export", furniture_path(), "-o", "out.owl"}, folder.path());
+    EXPECT_EQ(unclear.exit_code, 1);
+    EXPECT_NE(unclear.err.find("cannot tell the format"), std::string::npos) << unclear.err;
+}
+
 TEST(Tree, JsonAndDot) {
     const TemporaryFolder folder;
     for (const char* criterion : {"dichotomy", "gain-per-cost"}) {
