@@ -40,16 +40,16 @@ Naming name_region(const Session& session, const ConfigurationSet& possible) {
         if (const auto& concept_ = space.concepts[static_cast<std::size_t>(c)]; possible.is_subset_of(concept_.where))
             naming.concepts.push_back(concept_.iri);
     if (!naming.concepts.empty() || possible.is_empty()) return naming;
-    std::size_t most = 0;
+    double most = 0;
     for (const ConceptId c : session.wanted()) {
         const auto& concept_ = space.concepts[static_cast<std::size_t>(c)];
         if (concept_.incompatible) continue;
-        if (const std::size_t count = possible.count_common(concept_.where); count > most) {
-            most = count;
+        if (const double share = possible.share(concept_.where); share > most) {
+            most = share;
             naming.concepts = {concept_.iri};
         }
     }
-    if (most > 0) naming.certainty = static_cast<double>(most) / static_cast<double>(possible.count());
+    if (most > 0) naming.certainty = most;
     return naming;
 }
 
@@ -183,6 +183,7 @@ Strategy parse_strategy(const std::string& word) {
 
 knowledge::SplitCriterion parse_criterion(const std::string& word) {
     if (word == "dichotomy") return knowledge::SplitCriterion::dichotomy;
+    if (word == "entropy") return knowledge::SplitCriterion::entropy;
     if (word == "gain-per-cost") return knowledge::SplitCriterion::gain_per_cost;
     throw UsageError("--criterion " + word + ": unknown criterion, use dichotomy or gain-per-cost");
 }

@@ -11,9 +11,6 @@
  * when the walk gets there, which gives the same walk as the saved tree (tested). Cost: a few microseconds a question.
  */
 
-#include <algorithm>
-#include <cmath>
-
 #include "expert/session.h"
 
 namespace partonomy {
@@ -22,50 +19,19 @@ namespace {
 using knowledge::ConceptId;
 using knowledge::Conclusions;
 using knowledge::ConfigurationSet;
+using knowledge::Planner;
 using knowledge::PlanOptions;
 using knowledge::Question;
 using knowledge::Space;
 using knowledge::SplitCriterion;
 
-double entropy(double yes, double all) {
-    const double p = yes / all;
-    return p <= 0 || p >= 1 ? 0 : -p * std::log2(p) - (1 - p) * std::log2(1 - p);
-}
-
-/// The question about a region that tells most per cost about whether it meets `condition`.
-std::optional<Question> question_about(const Session& session, const ConfigurationSet& set,
-                                       const ConfigurationSet& condition) {
-    const Space& space = session.domain().regions;
-    const auto all = static_cast<double>(set.count());
-    std::optional<Question> best;
-    double best_gain = 1e-12;
-    for (int v = 0; v < static_cast<int>(space.variables.size()); ++v)
-        for (int i = 0; i < static_cast<int>(space.variables[static_cast<std::size_t>(v)].values.size()); ++i) {
-            const Question question{v, i};
-            const std::optional<double> cost = session.is_a_cost(question);
-            if (!cost) continue;
-            const ConfigurationSet yes = set & yes_set(space, question);
-            const ConfigurationSet no = set - yes;
-            const auto y = static_cast<double>(yes.count()), n = all - y;
-            if (y == 0 || n == 0) continue;
-            const double left = (y * entropy(static_cast<double>(yes.count_common(condition)), y) +
-                                 n * entropy(static_cast<double>(no.count_common(condition)), n)) /
-                                all;
-            const double gain = (entropy(static_cast<double>(set.count_common(condition)), all) - left) / *cost;
-            if (gain > best_gain) {
-                best_gain = gain;
-                best = question;
-            }
-        }
-    return best;
-}
-
 void cut(Session& session, SplitCriterion criterion) {
     PlanOptions plan;
     plan.criterion = criterion;
     plan.cost = [&](Question question) { return session.find_all_cost(question); };
+    const Planner planner(session.domain().regions, plan);
     do {
-        const auto question = best_question(session.domain().regions, session.rest_possible(), plan);
+        const auto question = planner.best(session.rest_possible());
         if (!question) break;
         session.find_all(*question);
     } while (session.has_rest());
@@ -77,24 +43,29 @@ void name(Session& session, SplitCriterion criterion) {
     plan.criterion = criterion;
     plan.wanted = session.wanted();
     plan.cost = [&](Question question) { return session.is_a_cost(question); };
+    const Planner planner(session.domain().regions, plan);
     for (int region = 0; region < session.region_count(); ++region)
-        while (const auto question = best_question(session.domain().regions, session.possible(region), plan))
+        while (const auto question = planner.best(session.possible(region)))
             if (!session.ask(region, *question)) break;
 }
 
 /// A region and a question that may decide whether the object has `variable` of its parts conditions.
-std::optional<std::pair<int, Question>> question_for(const Session& session, const Conclusions& known, int variable) {
+std::optional<std::pair<int, Question>> question_for(const Session& session, const Planner& planner,
+                                                     const Conclusions& known, int variable) {
     const ConfigurationSet& condition = session.domain().part_conditions[static_cast<std::size_t>(variable)];
     for (int region = 0; region < session.region_count(); ++region) {
         const ConfigurationSet& set = known.regions[static_cast<std::size_t>(region)];
         if (!set.intersects(condition) || set.is_subset_of(condition)) continue;
-        if (const auto question = question_about(session, set, condition)) return std::pair{region, *question};
+        if (const auto question = planner.best_about(set, condition)) return std::pair{region, *question};
     }
     return std::nullopt;
 }
 
 void recognise(Session& session, SplitCriterion criterion) {
     const Space& objects = session.domain().objects;
+    PlanOptions about_regions;
+    about_regions.cost = [&](Question question) { return session.is_a_cost(question); };
+    const Planner planner(session.domain().regions, about_regions);
     PlanOptions plan;
     plan.criterion = criterion;
     for (ConceptId c = 0; c < static_cast<ConceptId>(objects.concepts.size()); ++c) plan.wanted.push_back(c);
@@ -102,12 +73,12 @@ void recognise(Session& session, SplitCriterion criterion) {
         const Conclusions known = conclude(session.domain(), session.knowledge());
         if (known.contradiction) return;
         plan.cost = [&](Question question) -> std::optional<double> {
-            if (!question_for(session, known, question.variable)) return std::nullopt;
+            if (!question_for(session, planner, known, question.variable)) return std::nullopt;
             return 1.0;
         };
         const auto about_object = best_question(objects, known.object, plan);
         if (!about_object) return;
-        const auto about_region = question_for(session, known, about_object->variable);
+        const auto about_region = question_for(session, planner, known, about_object->variable);
         if (!about_region || !session.ask(about_region->first, about_region->second)) return;
     }
 }

@@ -19,13 +19,14 @@ std::string main_file(const owl::Ontology& ontology) {
 
 /// Names the constraint that, after those before it, leaves nothing.
 [[noreturn]] void refuse_inconsistent(const owl::Ontology& ontology, const Theory& theory, Level level,
-                                      std::size_t limit) {
+                                      const CompileOptions& options) {
+    const std::size_t limit = options.configuration_limit;
     Scope scope = whole_scope(theory, ontology.axioms.size());
     for (const Constraint& constraint : theory.constraints) scope.axioms[constraint.axiom] = 0;
     const std::string what = level == Level::region ? "region" : "object";
     for (const Constraint& constraint : theory.constraints) {
         scope.axioms[constraint.axiom] = 1;
-        const Layer regions = build_regions(theory, scope, limit);
+        const Layer regions = build_regions(theory, scope, options);
         bool empty = regions.space.size == 0;
         if (!empty && level == Level::object) {
             const Parts parts = find_parts(theory, scope, regions);
@@ -66,17 +67,22 @@ ConfigurationSet blurred(const Space& space, const ConfigurationSet& set) {
     return result;
 }
 
-void finish_space(const Theory& theory, Level level, const Layer& layer, Space& space) {
+void finish_space(const Theory& theory, const Scope& scope, Level level, const Layer& layer, Space& space) {
     space = layer.space;
     space.possible = space.all();
     const bool has_primitives = std::ranges::any_of(
         space.variables, [](const Variable& variable) { return variable.kind == VariableKind::primitive; });
+    std::vector<char> proved;
+    if (has_primitives && space.diagram) proved = provable_regions(theory, scope);
     for (std::size_t id = 0; id < theory.concepts.size(); ++id) {
         const NamedConcept& named = theory.concepts[id];
         if (named.level != level) continue;
         const ConfigurationSet& where = layer.concepts[id];
         bool provable = where.is_empty() ? named.definition >= 0 : true;
-        if (has_primitives && provable) provable = !(where - blurred(space, where.complement())).is_empty();
+        if (has_primitives && provable && space.diagram)
+            provable = proved[id] != 0;
+        else if (has_primitives && provable)
+            provable = !(where - blurred(space, where.complement())).is_empty();
         if (named.incompatible) space.possible -= where;
         space.concepts.push_back({named.iri, where, named.incompatible, provable});
     }
@@ -121,6 +127,7 @@ void lint(const Theory& theory, const Space& space, const std::string& what, std
 Domain compile(owl::Ontology ontology, const CompileOptions& options) {
     auto grounding = std::make_shared<Grounding>();
     Domain domain;
+    grounding->options = options;
     grounding->theory = read_theory(ontology);
     const Theory& theory = grounding->theory;
     const std::string file = main_file(ontology);
@@ -128,21 +135,20 @@ Domain compile(owl::Ontology ontology, const CompileOptions& options) {
         throw OntologyError(
             at(file, 0, "no concept describes an object; put at least one below core:Object, with its hasPart."));
     Layer regions;
-    ConfigurationSet realisable;
     try {
         const Scope scope = whole_scope(theory, ontology.axioms.size());
         const std::size_t limit = options.configuration_limit;
-        regions = build_regions(theory, scope, limit);
-        if (regions.space.size == 0) refuse_inconsistent(ontology, theory, Level::region, limit);
-        finish_space(theory, Level::region, regions, domain.regions);
+        regions = build_regions(theory, scope, options);
+        if (regions.space.size == 0) refuse_inconsistent(ontology, theory, Level::region, options);
+        finish_space(theory, scope, Level::region, regions, domain.regions);
         grounding->parts = find_parts(theory, scope, regions);
         const Parts& parts = grounding->parts;
         grounding->objects = build_objects(
             theory, scope, parts, with_any_more(parts, {0}, types_within(parts, regions.space.all()), limit), limit);
         const ObjectLayer& objects = grounding->objects;
-        if (objects.layer.space.size == 0) refuse_inconsistent(ontology, theory, Level::object, limit);
+        if (objects.layer.space.size == 0) refuse_inconsistent(ontology, theory, Level::object, options);
         prepare_beyond(parts, grounding->objects);
-        finish_space(theory, Level::object, objects.layer, domain.objects);
+        finish_space(theory, scope, Level::object, objects.layer, domain.objects);
         if (domain.regions.possible != domain.regions.all())
             domain.objects.possible &=
                 objects.of(with_any_more(parts, {0}, types_within(parts, domain.regions.possible), limit));
@@ -155,7 +161,7 @@ Domain compile(owl::Ontology ontology, const CompileOptions& options) {
         domain.part_conditions.push_back(
             variable.kind == VariableKind::parts
                 ? grounding->parts.classes[grounding->parts.atoms[domain.part_conditions.size()].part].where
-                : ConfigurationSet(domain.regions.size));
+                : domain.regions.none());
     domain.ranges = theory.ranges;
     domain.numbers = theory.numbers;
     domain.warnings = theory.warnings;

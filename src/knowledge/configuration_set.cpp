@@ -1,59 +1,179 @@
+/* Sets of configurations, listed or compiled.
+
+   A compiled set is a conjunction of literals. Its shares (how much of it each literal of the diagram holds in) take
+   one sweep and answer everything else: it is empty when there is no model, below a literal when that is inferred. Two
+   sets are equal when the same literals are inferred in both: each is then told by the other's literals. */
+
 #include "knowledge/configuration_set.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <stdexcept>
+
+#include "knowledge/diagram.h"
+
 namespace partonomy::knowledge {
+namespace {
+
+std::size_t to_size(const std::string& digits) {
+    constexpr std::size_t most = std::numeric_limits<std::size_t>::max();
+    std::size_t value = 0;
+    for (const char digit : digits) {
+        const auto d = static_cast<std::size_t>(digit - '0');
+        if (value > (most - d) / 10) return most;
+        value = value * 10 + d;
+    }
+    return value;
+}
+
+}  // namespace
+
+struct ConfigurationSet::Conjunction {
+    std::shared_ptr<const Diagram> diagram;
+    std::vector<int> literals;  ///< ascending
+
+    [[nodiscard]] const Shares& shares() const {
+        std::call_once(once_, [&] { shares_ = diagram->shares(literals); });
+        return shares_;
+    }
+    [[nodiscard]] bool is_empty() const { return std::isinf(shares().log2_total); }
+    [[nodiscard]] bool is_inferred(int literal) const { return shares().of(-literal) == 0; }  // or there is no model
+    /// All literals that are inferred: the same for equal sets. Nothing for the empty set.
+    [[nodiscard]] std::vector<int> closure() const {
+        std::vector<int> inferred;
+        if (is_empty()) return inferred;
+        for (int v = 1; v <= diagram->variable_count(); ++v)
+            for (const int literal : {v, -v})
+                if (shares().is_inferred(literal)) inferred.push_back(literal);
+        return inferred;
+    }
+
+private:
+    mutable std::once_flag once_;
+    mutable Shares shares_;
+};
 
 ConfigurationSet::ConfigurationSet(std::size_t size, bool full)
     : words_((size + 63) / 64, full ? ~std::uint64_t{0} : 0), size_(size) {
     if (full && size % 64 != 0) words_.back() = (std::uint64_t{1} << (size % 64)) - 1;
 }
 
+ConfigurationSet::ConfigurationSet(std::shared_ptr<const Diagram> diagram, std::vector<int> literals) {
+    std::ranges::sort(literals);
+    literals.erase(std::unique(literals.begin(), literals.end()), literals.end());
+    auto conjunction = std::make_shared<Conjunction>();
+    conjunction->diagram = std::move(diagram);
+    conjunction->literals = std::move(literals);
+    conjunction_ = std::move(conjunction);
+}
+
+const Diagram& ConfigurationSet::diagram() const { return *conjunction_->diagram; }
+const std::vector<int>& ConfigurationSet::literals() const { return conjunction_->literals; }
+
 std::size_t ConfigurationSet::count() const {
+    if (conjunction_) return to_size(count_text());
     std::size_t total = 0;
     for (const std::uint64_t word : words_) total += static_cast<std::size_t>(std::popcount(word));
     return total;
 }
 
+std::string ConfigurationSet::count_text() const {
+    return conjunction_ ? diagram().count(literals()).digits : std::to_string(count());
+}
+
 bool ConfigurationSet::is_empty() const {
+    if (conjunction_) return conjunction_->is_empty();
     for (const std::uint64_t word : words_)
         if (word != 0) return false;
     return true;
 }
 
 bool ConfigurationSet::is_subset_of(const ConfigurationSet& other) const {
+    if (conjunction_)
+        return std::ranges::all_of(other.literals(), [&](int literal) { return conjunction_->is_inferred(literal); });
     for (std::size_t i = 0; i < words_.size(); ++i)
         if ((words_[i] & ~other.words_[i]) != 0) return false;
     return true;
 }
 
 bool ConfigurationSet::intersects(const ConfigurationSet& other) const {
+    if (conjunction_) {
+        if (other.literals().size() == 1) return conjunction_->shares().is_possible(other.literals()[0]);
+        return !(*this & other).is_empty();
+    }
     for (std::size_t i = 0; i < words_.size(); ++i)
         if ((words_[i] & other.words_[i]) != 0) return true;
     return false;
 }
 
 std::size_t ConfigurationSet::count_common(const ConfigurationSet& other) const {
+    if (conjunction_) return (*this & other).count();
     std::size_t total = 0;
     for (std::size_t i = 0; i < words_.size(); ++i)
         total += static_cast<std::size_t>(std::popcount(words_[i] & other.words_[i]));
     return total;
 }
 
+double ConfigurationSet::share(const ConfigurationSet& other) const {
+    if (!conjunction_) {
+        const std::size_t all = count();
+        return all == 0 ? 0 : static_cast<double>(count_common(other)) / static_cast<double>(all);
+    }
+    if (is_empty()) return 0;
+    if (other.literals().size() == 1) return conjunction_->shares().of(other.literals()[0]);
+    return std::exp2((*this & other).conjunction_->shares().log2_total - conjunction_->shares().log2_total);
+}
+
 ConfigurationSet& ConfigurationSet::operator&=(const ConfigurationSet& other) {
+    if (conjunction_) {
+        if (std::ranges::includes(literals(), other.literals())) return *this;
+        std::vector<int> both = literals();
+        both.insert(both.end(), other.literals().begin(), other.literals().end());
+        return *this = ConfigurationSet(conjunction_->diagram, std::move(both));
+    }
     for (std::size_t i = 0; i < words_.size(); ++i) words_[i] &= other.words_[i];
     return *this;
 }
 
 ConfigurationSet& ConfigurationSet::operator|=(const ConfigurationSet& other) {
+    if (conjunction_) {
+        if (is_subset_of(other)) return *this = other;
+        if (!other.is_subset_of(*this))
+            throw std::logic_error("ConfigurationSet: the union of two compiled sets is none");
+        return *this;
+    }
     for (std::size_t i = 0; i < words_.size(); ++i) words_[i] |= other.words_[i];
     return *this;
 }
 
 ConfigurationSet& ConfigurationSet::operator-=(const ConfigurationSet& other) {
+    if (conjunction_) {
+        std::vector<int> missing;  // what `other` asks for beyond this set
+        std::ranges::set_difference(other.literals(), literals(), std::back_inserter(missing));
+        if (missing.size() != 1) {
+            if (!intersects(other)) return *this;
+            std::erase_if(missing, [&](int literal) { return conjunction_->is_inferred(literal); });
+        }
+        if (missing.size() > 1)
+            throw std::logic_error("ConfigurationSet: the difference of these two compiled sets is none");
+        std::vector<int> rest = literals();
+        if (missing.empty())
+            rest.insert(rest.end(), {1, -1});  // nothing is left
+        else
+            rest.push_back(-missing[0]);
+        return *this = ConfigurationSet(conjunction_->diagram, std::move(rest));
+    }
     for (std::size_t i = 0; i < words_.size(); ++i) words_[i] &= ~other.words_[i];
     return *this;
 }
 
-ConfigurationSet ConfigurationSet::complement() const { return ConfigurationSet(size_, true) -= *this; }
+ConfigurationSet ConfigurationSet::complement() const {
+    if (!conjunction_) return ConfigurationSet(size_, true) -= *this;
+    ConfigurationSet all(conjunction_->diagram, {});
+    return is_empty() ? all : all -= *this;
+}
 
 ConfigurationSet ConfigurationSet::packed(const ConfigurationSet& kept) const {
     ConfigurationSet result(kept.count());
@@ -67,11 +187,28 @@ ConfigurationSet ConfigurationSet::packed(const ConfigurationSet& kept) const {
 
 std::size_t ConfigurationSet::hash() const {
     std::uint64_t hash = size_;
-    for (const std::uint64_t word : words_) {
+    const auto mix = [&](std::uint64_t word) {
         hash = (hash ^ word) * 0x9E3779B97F4A7C15U;
         hash ^= hash >> 29;
-    }
+    };
+    for (const std::uint64_t word : words_) mix(word);
+    if (conjunction_)
+        for (const int literal : conjunction_->closure()) mix(static_cast<std::uint64_t>(literal));
     return static_cast<std::size_t>(hash);
+}
+
+std::strong_ordering operator<=>(const ConfigurationSet& a, const ConfigurationSet& b) {
+    if (!a.conjunction_ || !b.conjunction_) {
+        if (const auto order = a.words_ <=> b.words_; order != 0) return order;
+        return a.size_ <=> b.size_;
+    }
+    if (a.literals() == b.literals()) return std::strong_ordering::equal;
+    const bool a_empty = a.is_empty(), b_empty = b.is_empty();
+    if (a_empty || b_empty) return b_empty <=> a_empty;
+    const double a_size = a.conjunction_->shares().log2_total, b_size = b.conjunction_->shares().log2_total;
+    if (std::abs(a_size - b_size) > 1e-6)
+        return a_size < b_size ? std::strong_ordering::less : std::strong_ordering::greater;
+    return a.conjunction_->closure() <=> b.conjunction_->closure();
 }
 
 }  // namespace partonomy::knowledge

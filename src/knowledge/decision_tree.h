@@ -50,6 +50,10 @@ public:
     [[nodiscard]] std::optional<Question> best(const ConfigurationSet& set) const;
     /// The best question that splits `set`, decided or not.
     [[nodiscard]] std::optional<Question> best_split(const ConfigurationSet& set) const;
+    /// The question that tells most per cost about whether `condition` holds, given `set`; nullopt when none does. The
+    /// plan's wanted concepts play no role.
+    [[nodiscard]] std::optional<Question> best_about(const ConfigurationSet& set,
+                                                     const ConfigurationSet& condition) const;
     /// The cheapest question whose answer is yes in all of `set`.
     [[nodiscard]] std::optional<Question> cheapest_yes(const ConfigurationSet& set) const;
     /// The configurations in which the answer is yes; the question must be one of the space's own.
@@ -62,6 +66,9 @@ private:
         bool answerable;
     };
     [[nodiscard]] std::optional<double> cost(const Candidate& candidate) const;
+    /// Over a compiled space; literals of what is wanted, none for the most even split.
+    [[nodiscard]] std::optional<Question> best_compiled(const ConfigurationSet& set, const std::vector<int>& wanted,
+                                                        bool must_tell) const;
 
     const Space* space_;
     PlanOptions options_;

@@ -40,7 +40,7 @@ public:
             if (!split(all_, 1)) one_by_one();
             for (std::size_t q = 0; q < questions_.size(); ++q)
                 if (gain_[q] > 1e-9) scores[q] = gain_[q] / price(q);
-            if (const auto best = highest(scores)) return best;
+            if (const auto best = highest(scores); best || options_.must_tell) return best;
         }
         for (std::size_t q = 0; q < questions_.size(); ++q) scores[q] = smaller_side(q) / price(q);
         return highest(scores);

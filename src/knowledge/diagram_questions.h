@@ -20,6 +20,7 @@ struct ChoiceOptions {
     std::vector<int> wanted;  ///< the labels: what the questions are asked for
     /// A label is known when its share is at least this, or at most 1 minus this. 1: when it is inferred.
     double certainty = 1;
+    bool must_tell = false;  ///< no question rather than one that tells nothing about the labels
     /// Literals that may be looked at to tell the combinations of labels apart. When there are more combinations, each
     /// label's entropy is counted for itself.
     std::size_t work_limit = 4'000'000;

@@ -1,6 +1,7 @@
 #include "knowledge/domain.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "knowledge/theory.h"
 
@@ -31,7 +32,8 @@ bool is_below(const Domain& domain, const Iri& a, const Iri& b) {
     if (super != nullptr) {
         const bool about_same =
             (a == core_term("Region") && domain.layer(b) == 1) || (a == core_term("Object") && domain.layer(b) == 2);
-        return about_same && super->where.count() == super->where.size();
+        const Space& about = domain.layer(b) == 1 ? domain.regions : domain.objects;
+        return about_same && about.all().is_subset_of(super->where);
     }
     for (const RangeConcept& range : domain.ranges) {
         const bool is_value = std::ranges::any_of(range.values, [&](const auto& value) { return value.iri == a; });
@@ -42,6 +44,23 @@ bool is_below(const Domain& domain, const Iri& a, const Iri& b) {
 }
 
 }  // namespace
+
+ConfigurationSet Space::all() const { return diagram ? ConfigurationSet(diagram, {}) : ConfigurationSet(size, true); }
+
+std::string Space::product_text() const {
+    std::string digits = "1";  // decimal, last digit first
+    for (const Variable& variable : variables) {
+        std::size_t carry = 0;
+        for (char& digit : digits) {
+            carry += static_cast<std::size_t>(digit - '0') * variable.values.size();
+            digit = static_cast<char>('0' + carry % 10);
+            carry /= 10;
+        }
+        for (; carry > 0; carry /= 10) digits += static_cast<char>('0' + carry % 10);
+    }
+    return product < std::numeric_limits<std::size_t>::max() ? std::to_string(product)
+                                                             : std::string(digits.rbegin(), digits.rend());
+}
 
 std::optional<ConceptId> Space::find(const Iri& iri) const {
     const auto found = std::ranges::lower_bound(concepts, iri, {}, &Concept::iri);

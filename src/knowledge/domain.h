@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "knowledge/configuration_set.h"
+#include "knowledge/diagram.h"
 #include "owl/ontology.h"
 
 namespace partonomy::knowledge {
@@ -84,13 +85,19 @@ struct Space {
     std::vector<Variable> variables;
     std::vector<std::vector<ConfigurationSet>> holds;  ///< [variable][value]
     std::vector<Concept> concepts;                     ///< sorted by IRI
-    std::size_t size = 0;                              ///< configurations that satisfy the axioms
+    std::size_t size = 0;                              ///< configurations that satisfy the axioms, at most SIZE_MAX
     ConfigurationSet possible;                         ///< those in which no incompatible concept holds
-    std::size_t product = 0;                           ///< size of the raw Cartesian product
+    std::size_t product = 0;                           ///< size of the raw Cartesian product, at most SIZE_MAX
+    /// Of a space with too many configurations to list; null otherwise.
+    std::shared_ptr<const Diagram> diagram;
+    /// Compiled: [number variable][value], the value lies at or below the upper end of this interval.
+    std::vector<std::vector<ConfigurationSet>> up_to;
 
     [[nodiscard]] std::optional<ConceptId> find(const Iri& iri) const;
     [[nodiscard]] std::optional<VariableId> find_variable(const Iri& iri) const;
-    [[nodiscard]] ConfigurationSet all() const { return ConfigurationSet(size, true); }
+    [[nodiscard]] ConfigurationSet all() const;
+    [[nodiscard]] ConfigurationSet none() const { return all().complement(); }
+    [[nodiscard]] std::string product_text() const;  ///< exact, however large
 };
 
 /// The axioms in the form in which they are evaluated; for compile, conclude and explain only (theory.h).
@@ -123,7 +130,9 @@ struct Domain {
 };
 
 struct CompileOptions {
-    std::size_t configuration_limit = std::size_t{1} << 22;  ///< configurations a layer may have
+    std::size_t configuration_limit = std::size_t{1} << 22;  ///< ways in which the parts of an object may combine
+    std::size_t listing_limit = std::size_t{1} << 16;        ///< a larger product of a region's features is compiled
+    DiagramOptions diagram;
 };
 
 /// Finds the layers, grounds the axioms over them, and builds the configuration spaces (design §5, §6; paper §3.2.4,

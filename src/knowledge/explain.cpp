@@ -26,7 +26,7 @@ public:
     [[nodiscard]] bool follows(const std::vector<char>& axioms, const std::vector<char>& answers, bool complete) const {
         const std::size_t limit = std::numeric_limits<std::size_t>::max();
         const Scope scope = cone(theory_, goal_, axioms, goal_ < 0);
-        const Layer regions = build_regions(theory_, scope, limit);
+        const Layer regions = build_regions(theory_, scope, domain_.grounding->options);
         std::vector<ConfigurationSet> sets(static_cast<std::size_t>(knowledge_.region_count), regions.space.all());
         for (std::size_t i = 0; i < answers.size(); ++i) {
             const Answer& answer = knowledge_.answers[i];
@@ -119,15 +119,19 @@ Explanation explain(const Domain& domain, const Knowledge& knowledge, const Iri&
             if (knowledge.answers[i].region == region) fewer[i] = 0;
         if (fewer != answers && oracle.follows(axioms, fewer, complete)) answers = std::move(fewer);
     }
-    const auto shrink = [&](std::vector<char>& kept) {
-        for (char& each : kept) {
-            if (!each) continue;
-            each = 0;
-            if (!oracle.follows(axioms, answers, complete)) each = 1;
-        }
+    // The same as leaving out one element after the other: whatever can go together can go one by one.
+    const auto shrink = [&](const auto& self, std::vector<char>& kept, std::size_t begin, std::size_t end) -> void {
+        if (std::all_of(kept.begin() + begin, kept.begin() + end, [](char each) { return each == 0; })) return;
+        const std::vector<char> before = kept;
+        std::fill(kept.begin() + begin, kept.begin() + end, char{0});
+        if (oracle.follows(axioms, answers, complete)) return;
+        kept = before;
+        if (end - begin == 1) return;
+        self(self, kept, begin, (begin + end) / 2);
+        self(self, kept, (begin + end) / 2, end);
     };
-    shrink(axioms);
-    shrink(answers);
+    shrink(shrink, axioms, 0, axioms.size());
+    shrink(shrink, answers, 0, answers.size());
 
     Explanation explanation;
     for (std::size_t i = 0; i < answers.size(); ++i)

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "knowledge/decision_tree.h"
+#include "knowledge/diagram_questions.h"
 
 // Choosing a question is counting: with what is still possible as a bit set, a question's yes and no are one popcount
 // away. Dichotomy (paper §3.3.1) takes the question with the most even split. Gain per cost looks at labels instead of
@@ -9,7 +10,8 @@
 // the entropy of the class sinks on average. It does not care for features that no wanted concept looks at, where
 // dichotomy asks on. When no single question gains anything but something is open (an exclusive or), the most even
 // split per cost makes progress. Configurations count alike; impossible ones only count when nothing else is open.
-// Cost: (questions) x (classes) x (words of the space); furniture takes 2-3 microseconds.
+// Cost: (questions) x (classes) x (words of the space); furniture takes 2-3 microseconds. Over a compiled space the
+// same choice is made by sweeps over its diagram (diagram_questions.cpp).
 
 namespace partonomy::knowledge {
 namespace {
@@ -52,13 +54,14 @@ std::vector<ConfigurationSet> label_classes(const Space& space, const std::vecto
 ConfigurationSet yes_set(const Space& space, Question question) {
     const auto& holds = space.holds[question.variable];
     if (space.variables[question.variable].kind != VariableKind::number) return holds[question.value];
+    if (space.diagram) return space.up_to[question.variable][question.value];
     ConfigurationSet result = holds[0];
     for (ValueId value = 1; value <= question.value; ++value) result |= holds[value];
     return result;
 }
 
-Planner::Planner(const Space& space, PlanOptions options)
-    : space_(&space), options_(std::move(options)), labels_(label_classes(space, options_.wanted)) {
+Planner::Planner(const Space& space, PlanOptions options) : space_(&space), options_(std::move(options)) {
+    if (!space.diagram) labels_ = label_classes(space, options_.wanted);
     for (std::size_t v = 0; v < space.variables.size(); ++v) {
         const Variable& variable = space.variables[v];
         std::size_t questions = variable.values.size();
@@ -81,6 +84,7 @@ const ConfigurationSet& Planner::yes_set(Question question) const {
 }
 
 bool Planner::is_decided(const ConfigurationSet& set) const {
+    if (space_->diagram) return knowledge::is_decided(*space_, set, options_);
     if (labels_.empty()) return set.count() <= 1;
     return std::ranges::count_if(labels_, [&](const ConfigurationSet& label) { return label.intersects(set); }) <= 1;
 }
@@ -93,7 +97,54 @@ std::optional<Question> Planner::best(const ConfigurationSet& set) const {
     return best_split(set);
 }
 
+/// The literals of questions that have a cost, and which candidates they are.
+std::optional<Question> Planner::best_compiled(const ConfigurationSet& set, const std::vector<int>& wanted,
+                                               bool must_tell) const {
+    std::vector<LiteralQuestion> questions;
+    std::vector<const Candidate*> asked;
+    for (const Candidate& candidate : candidates_) {
+        const std::optional<double> price = cost(candidate);
+        if (!price) continue;
+        questions.push_back({candidate.yes.literals()[0], *price});
+        asked.push_back(&candidate);
+    }
+    ChoiceOptions choice;
+    choice.criterion = options_.criterion;
+    choice.wanted = wanted;
+    choice.must_tell = must_tell;
+    const auto best = knowledge::best_question(set.diagram(), questions, choice, set.literals());
+    return best ? std::optional(asked[*best]->question) : std::nullopt;
+}
+
+std::optional<Question> Planner::best_about(const ConfigurationSet& set, const ConfigurationSet& condition) const {
+    if (space_->diagram) return best_compiled(set, condition.literals(), true);
+    const auto all = static_cast<double>(set.count());
+    const auto entropy_of = [](double yes, double n) {
+        return n > 0 ? (entropy_sum(n) - entropy_sum(yes) - entropy_sum(n - yes)) / n : 0;
+    };
+    const double open = entropy_of(static_cast<double>(set.count_common(condition)), all);
+    const ConfigurationSet inside = set & condition;
+    Best best;
+    for (const Candidate& candidate : candidates_) {
+        const std::optional<double> price = cost(candidate);
+        if (!price) continue;
+        const auto yes = static_cast<double>(set.count_common(candidate.yes)), no = all - yes;
+        if (yes == 0 || no == 0) continue;
+        const auto yes_inside = static_cast<double>(inside.count_common(candidate.yes));
+        const auto no_inside = static_cast<double>(inside.count()) - yes_inside;
+        const double left = (yes * entropy_of(yes_inside, yes) + no * entropy_of(no_inside, no)) / all;
+        if (open - left > 1e-12) best.offer(candidate.question, (open - left) / *price);
+    }
+    return best.question;
+}
+
 std::optional<Question> Planner::best_split(const ConfigurationSet& set) const {
+    if (space_->diagram) {
+        std::vector<int> wanted;
+        for (const ConceptId id : options_.wanted) wanted.push_back(space_->concepts[id].where.literals()[0]);
+        if (const auto question = best_compiled(set, wanted, false)) return question;
+        return best_compiled(set, {}, false);
+    }
     const std::size_t count = set.count();
     std::vector<ConfigurationSet> labels;
     if (options_.criterion != SplitCriterion::dichotomy)
@@ -141,7 +192,13 @@ std::optional<Question> Planner::cheapest_yes(const ConfigurationSet& set) const
 }
 
 bool is_decided(const Space& space, const ConfigurationSet& set, const PlanOptions& options) {
-    if (options.wanted.empty()) return set.count() <= 1;
+    if (options.wanted.empty() && !space.diagram) return set.count() <= 1;
+    if (options.wanted.empty())
+        return std::ranges::all_of(space.holds, [&](const auto& values) {
+            return std::ranges::all_of(values, [&](const ConfigurationSet& value) {
+                return set.is_subset_of(value) || !set.intersects(value);
+            });
+        });
     return std::ranges::all_of(options.wanted, [&](ConceptId id) {
         const ConfigurationSet& where = space.concepts[id].where;
         return set.is_subset_of(where) || !set.intersects(where);

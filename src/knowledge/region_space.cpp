@@ -86,6 +86,7 @@ Scope cone(const Theory& theory, int goal, std::vector<char> axioms, bool all_fe
 }
 
 ConfigurationSet evaluate(const Theory& theory, const Layer& layer, FormulaId id) {
+    if (layer.space.diagram) return ConfigurationSet(layer.space.diagram, {layer.literals[id]});
     const Formula& formula = theory.formulas[id];
     const std::size_t size = layer.space.size;
     switch (formula.kind) {
@@ -175,7 +176,7 @@ ConfigurationSet close_layer(const Theory& theory, const Scope& scope, Level lev
     return allowed;
 }
 
-Layer build_regions(const Theory& theory, const Scope& scope, std::size_t limit) {
+Layer build_regions(const Theory& theory, const Scope& scope, const CompileOptions& options) {
     Layer layer;
     Space& space = layer.space;
     layer.features.assign(theory.feature_count(), -1);
@@ -184,15 +185,13 @@ Layer build_regions(const Theory& theory, const Scope& scope, std::size_t limit)
         layer.features[f] = static_cast<int>(space.variables.size());
         space.variables.push_back(feature_variable(theory, f));
     }
-    const std::size_t primitives = add_primitives(theory, scope, Level::region, layer);
+    add_primitives(theory, scope, Level::region, layer);
     space.product = 1;
     for (const Variable& variable : space.variables) space.product = times(space.product, variable.values.size());
-    if (space.product > limit)
-        throw OntologyError(
-            "the features of a region combine in more than " + std::to_string(limit) + " ways, with " +
-            std::to_string(theory.ranges.size()) + " range concepts, " + std::to_string(theory.numbers.size()) +
-            " measured properties and " + std::to_string(primitives) +
-            " concepts without definition; give concepts an EquivalentTo, or mention fewer different numbers");
+    if (space.product > options.listing_limit) {
+        compile_regions(theory, scope, options.diagram, layer);
+        return layer;
+    }
     space.size = space.product;
     std::size_t run = space.size;
     for (const Variable& variable : space.variables) {

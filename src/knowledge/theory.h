@@ -108,6 +108,7 @@ struct Layer {
     std::vector<int> features;    ///< variable of each feature, -1 when out of scope
     std::vector<int> primitives;  ///< variable of each concept, -1 when it has none
     std::vector<int> atoms;       ///< variable of each `parts` formula; -1: cannot hold
+    std::vector<int> literals;    ///< of a compiled layer: of each formula, 0 for those that nobody asks for
 };
 
 /// The configurations in which `formula` holds. Concepts must have their sets already (see close_layer).
@@ -120,9 +121,13 @@ ConfigurationSet close_layer(const Theory& theory, const Scope& scope, Level lev
 /// Adds a yes/no variable for each primitive concept of `level`; returns how many.
 std::size_t add_primitives(const Theory& theory, const Scope& scope, Level level, Layer& layer);
 
-/// The configurations of one region. Throws OntologyError when there would be more than `limit` (no source: the caller
-/// adds it).
-[[nodiscard]] Layer build_regions(const Theory& theory, const Scope& scope, std::size_t limit);
+/// The configurations of one region, listed or compiled. Throws OntologyError when a limit of the diagram is reached
+/// (no source: the caller adds it).
+[[nodiscard]] Layer build_regions(const Theory& theory, const Scope& scope, const CompileOptions& options);
+/// Fills the sets of a layer whose variables are there, over a diagram of all its configurations.
+void compile_regions(const Theory& theory, const Scope& scope, const DiagramOptions& options, Layer& layer);
+/// By concept: of a region, and there are features that prove it, whatever the concepts without definition are.
+[[nodiscard]] std::vector<char> provable_regions(const Theory& theory, const Scope& scope);
 
 /// How many parts of each class an object has, each count capped where more makes no difference, packed into one word.
 using Counts = std::uint64_t;
@@ -188,6 +193,7 @@ void prepare_beyond(const Parts& parts, ObjectLayer& objects);
                                         std::vector<Counts> counts, std::size_t limit);
 
 struct Grounding {
+    CompileOptions options;
     Theory theory;
     Parts parts;
     ObjectLayer objects;

@@ -92,8 +92,8 @@ struct Random {
         for (std::size_t r = 0; r < ranges; ++r) {
             values.emplace_back();
             for (std::size_t v = 0; v < 2 + (r == 0 ? pick(2) : 0); ++v)
-                values.back().push_back("v" + std::to_string(r) + std::to_string(v));
-            ontology.range("F" + std::to_string(r), values.back());
+                values.back().push_back(std::string("v").append(std::to_string(r)).append(std::to_string(v)));
+            ontology.range(std::string("F").append(std::to_string(r)), values.back());
         }
         first_class = ontology.result.axioms.size();
         const auto region_expression = [&](const auto& self, int depth) -> owl::ClassPointer {
@@ -242,6 +242,22 @@ void for_each_object(const Random& random, const knowledge::Knowledge& knowledge
         }
     };
     extend(extend, 0, more, 0);
+}
+
+/// One or two regions, and up to six answers about them.
+inline knowledge::Knowledge random_knowledge(std::mt19937& random, const Random& ontology) {
+    knowledge::Knowledge knowledge;
+    knowledge.region_count = static_cast<int>(random() % 2) + 1;
+    knowledge.complete = random() % 2 == 0;
+    const std::size_t answers = random() % 7;
+    for (std::size_t a = 0; a < answers; ++a) {
+        const auto variable = static_cast<int>(random() % ontology.values.size());
+        const auto value = static_cast<int>(random() % ontology.values[static_cast<std::size_t>(variable)].size());
+        knowledge.answers.push_back({static_cast<int>(random() % static_cast<unsigned>(knowledge.region_count)),
+                                     {variable, value},
+                                     random() % 3 != 0});
+    }
+    return knowledge;
 }
 
 }  // namespace brute

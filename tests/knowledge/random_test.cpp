@@ -36,21 +36,6 @@ unsigned parts_that_matter(const Space& objects) {
     return sum;
 }
 
-Knowledge random_knowledge(std::mt19937& random, const brute::Random& ontology) {
-    Knowledge knowledge;
-    knowledge.region_count = static_cast<int>(random() % 2) + 1;
-    knowledge.complete = random() % 2 == 0;
-    const std::size_t answers = random() % 7;
-    for (std::size_t a = 0; a < answers; ++a) {
-        const auto variable = static_cast<int>(random() % ontology.values.size());
-        const auto value = static_cast<int>(random() % ontology.values[static_cast<std::size_t>(variable)].size());
-        knowledge.answers.push_back({static_cast<int>(random() % static_cast<unsigned>(knowledge.region_count)),
-                                     {variable, value},
-                                     random() % 3 != 0});
-    }
-    return knowledge;
-}
-
 }  // namespace
 
 TEST(Random, SpacesAreWhatPartsRealise) {
@@ -97,7 +82,7 @@ TEST(Random, ConclusionsAreEntailments) {
         } catch (const OntologyError&) {
             continue;
         }
-        Knowledge knowledge = random_knowledge(random, ontology);
+        Knowledge knowledge = brute::random_knowledge(random, ontology);
         const unsigned enough = parts_that_matter(domain.objects);
         if (!knowledge.complete && enough > 2) knowledge.complete = true;
         const Conclusions conclusions = conclude(domain, knowledge);
@@ -131,7 +116,7 @@ TEST(Random, ExplanationsAreMinimal) {
         }
         const int enough = static_cast<int>(parts_that_matter(domain.objects));
         if (enough > 3) continue;
-        const Knowledge knowledge = random_knowledge(random, ontology);
+        const Knowledge knowledge = brute::random_knowledge(random, ontology);
         const Conclusions conclusions = conclude(domain, knowledge);
         if (conclusions.contradiction) continue;
         const auto classes = entailed(domain.objects, conclusions.object);
