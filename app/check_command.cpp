@@ -25,6 +25,12 @@ std::vector<std::string> concepts_of(const Space& space) {
     return names;
 }
 
+/// Counts that a double can hold are numbers, larger ones words.
+ordered_json number(const std::string& digits) {
+    if (digits.size() <= 15) return std::stoull(digits);
+    return digits;
+}
+
 ordered_json space_as_json(const Space& space) {
     ordered_json variables = ordered_json::array();
     for (const knowledge::Variable& variable : space.variables)
@@ -35,9 +41,9 @@ ordered_json space_as_json(const Space& space) {
                              {"values", variable.values}});
     return {{"concepts", concepts_of(space)},
             {"variables", variables},
-            {"product", space.product},
-            {"consistent", space.size},
-            {"possible", space.possible.count()}};
+            {"product", number(space.product_text())},
+            {"consistent", number(space.all().count_text())},
+            {"possible", number(space.possible.count_text())}};
 }
 
 void print_space(const char* title, const Space& space) {
@@ -47,8 +53,8 @@ void print_space(const char* title, const Space& space) {
             fmt::print(" [hasPart min {} {}]", variable.threshold, to_manchester(*variable.part_class));
         else
             fmt::print(" {} ({})", owl::local_name(variable.iri), fmt::join(variable.values, ", "));
-    fmt::print("\n  configurations: {} of {} satisfy the axioms, {} are possible\n", space.size, space.product,
-               space.possible.count());
+    fmt::print("\n  configurations: {} of {} satisfy the axioms, {} are possible\n", space.all().count_text(),
+               space.product_text(), space.possible.count_text());
 }
 
 int run_check(const Arguments& arguments) {

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <memory>
@@ -14,17 +15,28 @@
 namespace partonomy::app {
 namespace {
 
+struct Format {
+    std::string_view extension;
+    std::string (*write)(const knowledge::DecisionTree&, const knowledge::Domain&);
+};
+constexpr Format formats[]{{".json", knowledge::to_json},
+                           {".dot", knowledge::to_dot},
+                           {".svg", knowledge::to_svg},
+                           {".html", knowledge::to_html}};
+
 struct Arguments {
     OntologyArguments ontology;
     std::string output, criterion = "dichotomy";
+    std::size_t nodes = 10'000, depth = 0;
     bool every_configuration = false;
 };
 
 int run_tree(const Arguments& arguments) {
     const std::string extension = std::filesystem::path(arguments.output).extension().string();
-    if (!arguments.output.empty() && extension != ".json" && extension != ".dot")
-        throw UsageError(
-            fmt::format("-o {}: cannot tell the format, use a name that ends in .json or .dot", arguments.output));
+    const auto* format = std::ranges::find(formats, extension, &Format::extension);
+    if (!arguments.output.empty() && format == std::end(formats))
+        throw UsageError(fmt::format(
+            "-o {}: cannot tell the format, use a name that ends in .json, .dot, .svg or .html", arguments.output));
     const auto start = std::chrono::steady_clock::now();
     const knowledge::Domain domain = arguments.ontology.load();
     const Catalogue catalogue = make_catalogue(domain);
@@ -43,15 +55,25 @@ int run_tree(const Arguments& arguments) {
         const ElementaryAlgorithm* algorithm = catalogue.find(Signature::find_all, question);
         return algorithm ? std::optional(algorithm->cost) : std::nullopt;
     };
-    const knowledge::DecisionTree tree = build_tree(domain.regions, plan, find_all);
+    knowledge::TreeLimits limits;
+    limits.nodes = arguments.nodes;
+    limits.leave_open = true;
+    if (arguments.depth > 0) limits.depth = arguments.depth;
+    const knowledge::DecisionTree tree = build_tree(domain.regions, plan, find_all, limits);
     const auto ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 
     if (arguments.output.empty())
         fmt::print("{}", to_dot(tree, domain));
     else
-        write_file(arguments.output, extension == ".json" ? to_json(tree, domain) : to_dot(tree, domain));
+        write_file(arguments.output, format->write(tree, domain));
     fmt::print(stderr, "{}: {} configurations, {} nodes, depth {}, {:.1f} ms from file to tree\n",
-               arguments.ontology.path, domain.regions.possible.count(), tree.nodes.size(), tree.depth(), ms);
+               arguments.ontology.path, domain.regions.possible.count_text(), tree.nodes.size(), tree.depth(), ms);
+    if (!tree.is_whole())
+        fmt::print(stderr,
+                   "{}: this is not the whole tree: {} of its nodes are left open; raise --nodes or --depth to see "
+                   "more, or leave out --every-configuration\n",
+                   arguments.ontology.path,
+                   std::ranges::count_if(tree.nodes, [](const auto& node) { return node.is_open; }));
     return recognised;
 }
 
@@ -61,8 +83,14 @@ void add_tree_command(CLI::App& app, Run& run) {
     auto arguments = std::make_shared<Arguments>();
     CLI::App& command = *app.add_subcommand("tree", "the decision tree of an ontology's parts");
     arguments->ontology.add_to(command, true);
-    command.add_option("-o,--output", arguments->output, "tree.json or tree.dot; DOT on standard output without it");
-    command.add_option("--criterion", arguments->criterion, "dichotomy or gain-per-cost")->capture_default_str();
+    command.add_option("-o,--output", arguments->output,
+                       "tree.json, .dot, .svg or .html; DOT on standard output without it");
+    command.add_option("--criterion", arguments->criterion, "dichotomy, entropy or gain-per-cost")
+        ->capture_default_str();
+    command.add_option("--nodes", arguments->nodes, "nodes to expand at most; the rest is left open")
+        ->capture_default_str();
+    command.add_option("--depth", arguments->depth, "questions to expand below the root; 0: no limit")
+        ->capture_default_str();
     command.add_flag("--every-configuration", arguments->every_configuration,
                      "ask until one configuration is left, not only until the part's name is known");
     command.callback([arguments, &run] { run = [arguments] { return run_tree(*arguments); }; });

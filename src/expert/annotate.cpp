@@ -185,7 +185,7 @@ knowledge::SplitCriterion parse_criterion(const std::string& word) {
     if (word == "dichotomy") return knowledge::SplitCriterion::dichotomy;
     if (word == "entropy") return knowledge::SplitCriterion::entropy;
     if (word == "gain-per-cost") return knowledge::SplitCriterion::gain_per_cost;
-    throw UsageError("--criterion " + word + ": unknown criterion, use dichotomy or gain-per-cost");
+    throw UsageError("--criterion " + word + ": unknown criterion, use dichotomy, entropy or gain-per-cost");
 }
 
 Annotation annotate(const Domain& domain, const Catalogue& catalogue, const Object& object,

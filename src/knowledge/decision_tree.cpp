@@ -27,11 +27,8 @@ struct KeyHash {
 class TreeBuilder {
 public:
     TreeBuilder(const Space& space, const PlanOptions& is_a,
-                const std::function<std::optional<double>(Question)>& find_all, std::size_t node_limit)
-        : space_(space),
-          asker_(space, is_a),
-          cutter_(space, {is_a.criterion, find_all, is_a.wanted}),
-          limit_(node_limit) {
+                const std::function<std::optional<double>(Question)>& find_all, const TreeLimits& limits)
+        : space_(space), asker_(space, is_a), cutter_(space, {is_a.criterion, find_all, is_a.wanted}), limits_(limits) {
         tree_.space = &space;
         node(space.possible, !find_all);
     }
@@ -45,9 +42,14 @@ public:
             const bool last = !question && !segmented;
             if (last) question = cutter_.cheapest_yes(set);
             if (!question) continue;
+            tree_.nodes[i].question = question;
+            if (limits_.leave_open && (depths_[i] >= limits_.depth || tree_.nodes.size() + 2 > limits_.nodes)) {
+                tree_.nodes[i].is_open = true;
+                continue;
+            }
+            depth_ = depths_[i] + 1;
             const ConfigurationSet& yes = asker_.yes_set(*question);
             const int yes_node = node(set & yes, true), no_node = last ? -1 : node(set - yes, segmented);
-            tree_.nodes[i].question = question;
             tree_.nodes[i].yes = yes_node;
             tree_.nodes[i].no = no_node;
         }
@@ -59,26 +61,28 @@ private:
         const auto [place, added] =
             known_.emplace(Key{std::move(set), segmented}, static_cast<int>(tree_.nodes.size()));
         if (!added) return place->second;
-        if (tree_.nodes.size() >= limit_)
-            throw OntologyError("the decision tree has more than " + std::to_string(limit_) +
+        if (tree_.nodes.size() >= limits_.nodes)
+            throw OntologyError("the decision tree has more than " + std::to_string(limits_.nodes) +
                                 " nodes; say which concepts are wanted, or mention fewer features");
         TreeNode fresh;
         fresh.configurations = place->first.set;
         fresh.segmented = segmented;
         for (std::size_t c = 0; c < space_.concepts.size(); ++c) {
-            const std::size_t common = fresh.configurations.count_common(space_.concepts[c].where);
-            if (common == 0)
+            if (!fresh.configurations.intersects(space_.concepts[c].where))
                 fresh.excluded.push_back(static_cast<ConceptId>(c));
             else if (fresh.configurations.is_subset_of(space_.concepts[c].where))
                 fresh.asserted.push_back(static_cast<ConceptId>(c));
         }
         tree_.nodes.push_back(std::move(fresh));
+        depths_.push_back(depth_);
         return place->second;
     }
 
     const Space& space_;
     Planner asker_, cutter_;
-    std::size_t limit_;
+    TreeLimits limits_;
+    std::vector<std::size_t> depths_;  // of the first way to each node
+    std::size_t depth_ = 0;            // of nodes being made
     DecisionTree tree_;
     std::unordered_map<Key, int, KeyHash> known_;  // only looked up, never walked
 };
@@ -91,15 +95,19 @@ std::size_t DecisionTree::depth() const {
     const auto visit = [&](const auto& self, int i) -> std::size_t {
         if (i < 0 || done[i]) return i < 0 ? 0 : depths[i];
         done[i] = 1;
-        if (nodes[i].question) depths[i] = 1 + std::max(self(self, nodes[i].yes), self(self, nodes[i].no));
+        if (nodes[i].yes >= 0) depths[i] = 1 + std::max(self(self, nodes[i].yes), self(self, nodes[i].no));
         return depths[i];
     };
     return nodes.empty() ? 0 : visit(visit, 0);
 }
 
+bool DecisionTree::is_whole() const {
+    return std::ranges::none_of(nodes, [](const TreeNode& node) { return node.is_open; });
+}
+
 DecisionTree build_tree(const Space& space, const PlanOptions& is_a,
-                        const std::function<std::optional<double>(Question)>& find_all, std::size_t node_limit) {
-    return TreeBuilder(space, is_a, find_all, node_limit).run();
+                        const std::function<std::optional<double>(Question)>& find_all, const TreeLimits& limits) {
+    return TreeBuilder(space, is_a, find_all, limits).run();
 }
 
 }  // namespace partonomy::knowledge

@@ -2,6 +2,7 @@
 
 #include <compare>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -80,6 +81,7 @@ private:
 /// A node of the tree, which is a DAG: equal sets of configurations share one node.
 struct TreeNode {
     ConfigurationSet configurations;
+    bool is_open = false;   ///< there is more below, which a limit left out
     bool segmented = true;  ///< false: asked of a region not yet cut (only `find all` questions)
     std::optional<Question> question;
     int yes = -1, no = -1;            ///< nodes, -1 at a leaf
@@ -91,20 +93,31 @@ struct DecisionTree {
     const Space* space = nullptr;  ///< not owned
     std::vector<TreeNode> nodes;   ///< node 0 is the root
     [[nodiscard]] std::size_t depth() const;
+    [[nodiscard]] bool is_whole() const;  ///< no node is open
+};
+
+/// How much of a tree to build.
+struct TreeLimits {
+    std::size_t nodes = 1'000'000;
+    std::size_t depth = std::numeric_limits<std::size_t>::max();  ///< questions on the way from the root
+    bool leave_open = false;  ///< nodes beyond the limits are left open; otherwise too many nodes are an error
 };
 
 /// Builds the whole tree over the possible configurations of `space` (paper §3.3.1, Fig. 7 and 8).
 /// With `find_all` set (cost of each `find all` question, nullopt where there is none), the root stands for the whole
 /// mesh: questions that cut come first; "yes" leads to a cut region, "no" to what remains uncut. What remains when
 /// every other value is excluded still has to be cut: that question has no "no" (its index stays -1). Throws
-/// OntologyError when it would have more than `node_limit` nodes.
+/// OntologyError when it would have more nodes than `limits` allows, unless the rest may be left open.
 [[nodiscard]] DecisionTree build_tree(const Space& space, const PlanOptions& is_a,
                                       const std::function<std::optional<double>(Question)>& find_all = {},
-                                      std::size_t node_limit = 1'000'000);
+                                      const TreeLimits& limits = {});
 
-/// The tree as JSON (schema in docs/decision-tree.md) and as Graphviz DOT.
+/// The tree as JSON (schema in docs/decision-tree.md), as Graphviz DOT, as a picture (SVG), and as a page of its own on
+/// which it unfolds (HTML).
 [[nodiscard]] std::string to_json(const DecisionTree& tree, const Domain& domain);
 [[nodiscard]] std::string to_dot(const DecisionTree& tree, const Domain& domain);
+[[nodiscard]] std::string to_svg(const DecisionTree& tree, const Domain& domain);
+[[nodiscard]] std::string to_html(const DecisionTree& tree, const Domain& domain);
 
 /// "is it a Board", "height <= 0.55"; the expert's wording (core:question) where there is one.
 [[nodiscard]] std::string to_text(const Space& space, Question question, const Domain& domain);

@@ -1,8 +1,6 @@
-#include <algorithm>
-#include <charconv>
 #include <nlohmann/json.hpp>
 
-#include "knowledge/decision_tree.h"
+#include "knowledge/tree_words.h"
 
 // The tree as files. Beside what the nodes hold, each shows its features as in paper Fig. 8: *told* by an answer on the
 // way from the root, *inferred* because one value is left, *ruled out*. Where several ways lead to a node, the first
@@ -13,79 +11,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Features {
-    std::vector<Question> told, inferred, ruled_out;
-};
-
-std::vector<Features> follow(const DecisionTree& tree) {
-    const Space& space = *tree.space;
-    std::vector<std::vector<char>> asked(tree.nodes.size());  // [node][variable]: 1 a yes, 2 a number was compared
-    std::vector<Features> features(tree.nodes.size());
-    for (std::size_t i = 0; i < tree.nodes.size(); ++i) {  // a node's first parent comes before it
-        const TreeNode& node = tree.nodes[i];
-        if (asked[i].empty()) asked[i].assign(space.variables.size(), 0);
-        for (std::size_t v = 0; v < space.variables.size(); ++v)
-            for (std::size_t k = 0; k < space.variables[v].values.size(); ++k) {
-                const Question value{static_cast<VariableId>(v), static_cast<ValueId>(k)};
-                const bool all = node.configurations.is_subset_of(space.holds[v][k]);
-                if (!node.configurations.intersects(space.holds[v][k]))
-                    features[i].ruled_out.push_back(value);
-                else if (all)
-                    (asked[i][v] ? features[i].told : features[i].inferred).push_back(value);
-            }
-        if (!node.question) continue;
-        const std::size_t variable = node.question->variable;
-        for (const bool yes : {true, false}) {
-            const int child = yes ? node.yes : node.no;
-            if (child < 0 || !asked[child].empty()) continue;
-            asked[child] = asked[i];
-            const VariableKind kind = space.variables[variable].kind;
-            if (yes || kind != VariableKind::range) asked[child][variable] = 1;
-        }
-    }
-    return features;
-}
-
-std::string part_words(const Variable& variable) {
-    const std::string name = to_manchester(*variable.part_class);
-    const bool simple = variable.part_class->kind == owl::ClassKind::named;
-    return std::to_string(variable.threshold) + " " + (simple ? name : "(" + name + ")");
-}
-
-std::string variable_name(const Variable& variable) {
-    return variable.kind == VariableKind::parts ? "at least " + part_words(variable) : owl::local_name(variable.iri);
-}
-
-std::string value_words(const Space& space, Question value) {
-    const Variable& variable = space.variables[value.variable];
-    const std::string& word = variable.values[value.value];
-    switch (variable.kind) {
-        case VariableKind::number:
-            return owl::local_name(variable.iri) + " " + word;
-        case VariableKind::range:
-            return word == "other" ? "other " + owl::local_name(variable.iri) : word;
-        default:
-            return (value.value == 0 ? "" : "not ") + variable_name(variable);
-    }
-}
-
-std::string question_words(const Space& space, const TreeNode& node, const Domain& domain) {
-    if (node.segmented) return to_text(space, *node.question, domain);
-    return "find all " + value_words(space, *node.question);
-}
-
-std::string escaped(const std::string& text) {
-    std::string result;
-    for (const char c : text)
-        result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '"' ? "&quot;" : std::string(1, c);
-    return result;
-}
-
-template <typename Range, typename Words>
-std::string join(const Range& range, const Words& words) {
-    std::string list;
-    for (const auto& each : range) list += (list.empty() ? "" : ", ") + words(each);
-    return list;
+/// Counts that a double can hold are numbers, larger ones words.
+Json to_number(const std::string& digits) {
+    if (digits.size() <= 15) return std::stoull(digits);
+    return digits;
 }
 
 const char* kind_word(VariableKind kind) {
@@ -103,28 +32,6 @@ const char* kind_word(VariableKind kind) {
 
 }  // namespace
 
-std::string to_text(const Space& space, Question question, const Domain& domain) {
-    const Variable& variable = space.variables[question.variable];
-    if (variable.kind == VariableKind::number) {
-        const MeasuredProperty::Interval& interval = domain.numbers[variable.index].intervals[question.value];
-        char buffer[32];
-        const std::string high(buffer, std::to_chars(buffer, buffer + sizeof buffer, interval.high).ptr);
-        return owl::local_name(variable.iri) + (interval.high_closed ? " <= " : " < ") + high;
-    }
-    if (variable.kind == VariableKind::range) {
-        const RangeConcept& range = domain.ranges[variable.index];
-        if (static_cast<std::size_t>(question.value) >= range.values.size())
-            return "has it another " + owl::local_name(range.iri);
-        const ElementaryConcept& value = range.values[question.value];
-        if (!value.question.empty()) return value.question;
-    }
-    if (variable.kind == VariableKind::parts) return "has it at least " + part_words(variable);
-    const std::string name =
-        variable.kind == VariableKind::range ? variable.values[question.value] : owl::local_name(variable.iri);
-    const bool vowel = !name.empty() && std::string("aeiouAEIOU").find(name[0]) != std::string::npos;
-    return "is it " + std::string(vowel ? "an " : "a ") + name;
-}
-
 std::string to_json(const DecisionTree& tree, const Domain& domain) {
     const Space& space = *tree.space;
     const auto concept_name = [&](ConceptId id) { return owl::local_name(space.concepts[id].iri); };
@@ -132,9 +39,9 @@ std::string to_json(const DecisionTree& tree, const Domain& domain) {
     json["format"] = "partonomy decision tree 1";
     json["ontology"] = domain.ontology.iri;
     json["layer"] = &space == &domain.objects ? 2 : 1;
-    json["product"] = space.product;
-    json["configurations"] = space.size;
-    json["possible"] = space.possible.count();
+    json["product"] = to_number(space.product_text());
+    json["configurations"] = to_number(space.all().count_text());
+    json["possible"] = to_number(space.possible.count_text());
     json["depth"] = tree.depth();
     json["variables"] = Json::array();
     for (const Variable& variable : space.variables)
@@ -146,9 +53,9 @@ std::string to_json(const DecisionTree& tree, const Domain& domain) {
                                     {"iri", each.iri},
                                     {"incompatible", each.incompatible},
                                     {"provable", each.provable},
-                                    {"configurations", each.where.count()}});
+                                    {"configurations", to_number(each.where.count_text())}});
     json["nodes"] = Json::array();
-    const std::vector<Features> features = follow(tree);
+    const std::vector<NodeFeatures> features = follow(tree);
     for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
         const TreeNode& node = tree.nodes[i];
         const auto words = [&](const std::vector<Question>& values) {
@@ -161,13 +68,15 @@ std::string to_json(const DecisionTree& tree, const Domain& domain) {
             for (const ConceptId id : ids) list.push_back(concept_name(id));
             return list;
         };
-        Json entry{{"id", i}, {"configurations", node.configurations.count()}, {"segmented", node.segmented}};
+        Json entry{
+            {"id", i}, {"configurations", to_number(node.configurations.count_text())}, {"segmented", node.segmented}};
         if (node.question) {
             entry["question"] = {{"text", question_words(space, node, domain)},
                                  {"variable", node.question->variable},
                                  {"value", node.question->value}};
-            entry["yes"] = node.yes;
+            entry["yes"] = node.yes < 0 ? Json(nullptr) : Json(node.yes);
             entry["no"] = node.no < 0 ? Json(nullptr) : Json(node.no);
+            if (node.is_open) entry["open"] = true;
         }
         entry["told"] = words(features[i].told);
         entry["inferred"] = words(features[i].inferred);
@@ -190,18 +99,17 @@ std::string to_dot(const DecisionTree& tree, const Domain& domain) {
     std::string dot =
         "digraph decision_tree {\n  node [shape=box, style=\"rounded,filled\", fillcolor=white, "
         "fontname=\"Helvetica\"];\n";
-    const std::vector<Features> features = follow(tree);
+    const std::vector<NodeFeatures> features = follow(tree);
     for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
         const TreeNode& node = tree.nodes[i];
-        const std::size_t count = node.configurations.count();
+        const std::string count = node.configurations.count_text();
         const std::string asserted = join(node.asserted, concept_name);
-        const std::string title = node.question      ? question_words(space, node, domain) + "?"
-                                  : asserted.empty() ? "nothing named"
-                                                     : asserted;
-        dot +=
-            "  n" + std::to_string(i) + " [fillcolor=\"" + (node.question ? "#fff3c4" : "#e3f1e1") + "\", label=<<b>" +
-            escaped(title) + "</b><br/>" + std::to_string(count) + (count == 1 ? " configuration" : " configurations") +
-            row(join(features[i].told, value_name), "#c05a00") + row(join(features[i].inferred, value_name), "#1f5fbf");
+        dot += "  n" + std::to_string(i) + " [fillcolor=\"" + (node.question ? "#fff3c4" : "#e3f1e1") + "\"" +
+               (node.is_open ? ", style=\"rounded,filled,dashed\"" : "") + ", label=<<b>" +
+               escaped(node_title(tree, i, domain)) + "</b><br/>" + count +
+               (count == "1" ? " configuration" : " configurations") +
+               row(join(features[i].told, value_name), "#c05a00") +
+               row(join(features[i].inferred, value_name), "#1f5fbf");
         if (node.question) dot += row(asserted, "#2e7d32", "is ");
         dot += row(join(node.excluded, concept_name), "#888888", "not ") + ">];\n";
     }

@@ -176,7 +176,9 @@ TEST(Tree, CostsAndUnaskableQuestions) {
     const DecisionTree tree = build_tree(space, options);
     EXPECT_EQ(tree.nodes.size(), 3U);  // the second variable stays open
     EXPECT_EQ(tree.nodes[1].configurations.count(), 2U);
-    EXPECT_THROW((void)build_tree(space, {}, {}, 2), OntologyError);
+    TreeLimits two;
+    two.nodes = 2;
+    EXPECT_THROW((void)build_tree(space, {}, {}, two), OntologyError);
 }
 
 TEST(Tree, ImpossibleConfigurationsAreAskedLast) {
@@ -237,4 +239,53 @@ TEST(Tree, Files) {
     EXPECT_NE(dot.find("is it a Board?"), std::string::npos);
     EXPECT_NE(dot.find("height &lt;= 0.55?"), std::string::npos);
     EXPECT_EQ(to_text(domain.objects, {1, 0}, domain), "has it at least 3 (hasShape some Stick)");
+}
+
+TEST(Tree, IsLeftOpenBeyondALimit) {
+    mini::Ontology ontology = mini::shapes();
+    ontology.range("Size", {"Small", "Large"}).same("Chair", mini::some("hasPart", "Thing"));
+    const Domain domain = compile(ontology.result);
+    const DecisionTree whole = build_tree(domain.regions, {});
+    EXPECT_TRUE(whole.is_whole());
+    TreeLimits limits;
+    limits.leave_open = true;
+    limits.depth = 1;
+    const DecisionTree shallow = build_tree(domain.regions, {}, {}, limits);
+    EXPECT_EQ(shallow.depth(), 1U);
+    EXPECT_EQ(shallow.nodes.size(), 3U);
+    EXPECT_FALSE(shallow.is_whole());
+    EXPECT_EQ(shallow.nodes[1].question, whole.nodes[1].question);
+    EXPECT_TRUE(nlohmann::json::parse(to_json(shallow, domain))["nodes"][1]["open"]);
+    limits.depth = 100;
+    for (std::size_t most = 1; most < whole.nodes.size(); ++most) {
+        limits.nodes = most;
+        const DecisionTree part = build_tree(domain.regions, {}, {}, limits);
+        EXPECT_LE(part.nodes.size(), most);
+        EXPECT_FALSE(part.is_whole());
+    }
+    limits.nodes = whole.nodes.size() + 1;  // a node is left open when its two children might not find room
+    EXPECT_EQ(to_json(build_tree(domain.regions, {}, {}, limits), domain), to_json(whole, domain));
+}
+
+TEST(Tree, Pictures) {
+    mini::Ontology ontology = mini::shapes();
+    ontology.same("Seat", mini::some("hasShape", "Board")).same("Chair", mini::some("hasPart", "Seat"));
+    const Domain domain = compile(ontology.result);
+    const DecisionTree tree = build_tree(domain.regions, {});
+    const std::string svg = to_svg(tree, domain);
+    const auto count = [](const std::string& text, const std::string& word) {
+        std::size_t n = 0;
+        for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++n;
+        return n;
+    };
+    EXPECT_TRUE(svg.starts_with("<svg ")) << svg;
+    EXPECT_TRUE(svg.ends_with("</svg>\n"));
+    EXPECT_EQ(count(svg, "<rect x="), tree.nodes.size());
+    EXPECT_EQ(count(svg, "<path "),
+              std::size_t(std::ranges::count_if(tree.nodes, [](const TreeNode& node) { return node.yes >= 0; })) * 2);
+    EXPECT_NE(svg.find("is it a Board?"), std::string::npos);
+    const std::string html = to_html(tree, domain);
+    const std::size_t begin = html.find("id=\"data\">") + 10, end = html.find("</script>", begin);
+    EXPECT_EQ(nlohmann::json::parse(html.substr(begin, end - begin)), nlohmann::json::parse(to_json(tree, domain)));
+    EXPECT_EQ(html.find("http"), html.find("http", begin)) << "nothing is fetched from elsewhere";
 }

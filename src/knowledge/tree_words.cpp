@@ -1,0 +1,105 @@
+#include "knowledge/tree_words.h"
+
+#include <charconv>
+
+namespace partonomy::knowledge {
+namespace {
+
+std::string part_words(const Variable& variable) {
+    const std::string name = to_manchester(*variable.part_class);
+    const bool simple = variable.part_class->kind == owl::ClassKind::named;
+    return std::to_string(variable.threshold) + " " + (simple ? name : "(" + name + ")");
+}
+
+}  // namespace
+
+std::vector<NodeFeatures> follow(const DecisionTree& tree) {
+    const Space& space = *tree.space;
+    std::vector<std::vector<char>> asked(tree.nodes.size());  // [node][variable]: 1 a yes, 2 a number was compared
+    std::vector<NodeFeatures> features(tree.nodes.size());
+    for (std::size_t i = 0; i < tree.nodes.size(); ++i) {  // a node's first parent comes before it
+        const TreeNode& node = tree.nodes[i];
+        if (asked[i].empty()) asked[i].assign(space.variables.size(), 0);
+        for (std::size_t v = 0; v < space.variables.size(); ++v)
+            for (std::size_t k = 0; k < space.variables[v].values.size(); ++k) {
+                const Question value{static_cast<VariableId>(v), static_cast<ValueId>(k)};
+                const bool all = node.configurations.is_subset_of(space.holds[v][k]);
+                if (!node.configurations.intersects(space.holds[v][k]))
+                    features[i].ruled_out.push_back(value);
+                else if (all)
+                    (asked[i][v] ? features[i].told : features[i].inferred).push_back(value);
+            }
+        if (!node.question) continue;
+        const std::size_t variable = node.question->variable;
+        for (const bool yes : {true, false}) {
+            const int child = yes ? node.yes : node.no;
+            if (child < 0 || !asked[child].empty()) continue;
+            asked[child] = asked[i];
+            const VariableKind kind = space.variables[variable].kind;
+            if (yes || kind != VariableKind::range) asked[child][variable] = 1;
+        }
+    }
+    return features;
+}
+
+std::string variable_name(const Variable& variable) {
+    return variable.kind == VariableKind::parts ? "at least " + part_words(variable) : owl::local_name(variable.iri);
+}
+
+std::string value_words(const Space& space, Question value) {
+    const Variable& variable = space.variables[value.variable];
+    const std::string& word = variable.values[value.value];
+    switch (variable.kind) {
+        case VariableKind::number:
+            return owl::local_name(variable.iri) + " " + word;
+        case VariableKind::range:
+            return word == "other" ? "other " + owl::local_name(variable.iri) : word;
+        default:
+            return (value.value == 0 ? "" : "not ") + variable_name(variable);
+    }
+}
+
+std::string question_words(const Space& space, const TreeNode& node, const Domain& domain) {
+    if (node.segmented) return to_text(space, *node.question, domain);
+    return "find all " + value_words(space, *node.question);
+}
+
+std::string escaped(const std::string& text) {
+    std::string result;
+    for (const char c : text)
+        result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '"' ? "&quot;" : std::string(1, c);
+    return result;
+}
+
+std::string node_title(const DecisionTree& tree, std::size_t node, const Domain& domain) {
+    const TreeNode& shown = tree.nodes[node];
+    if (shown.question) return question_words(*tree.space, shown, domain) + "?";
+    std::string names;
+    for (const ConceptId id : shown.asserted)
+        names += (names.empty() ? "" : ", ") + owl::local_name(tree.space->concepts[id].iri);
+    return names.empty() ? "nothing named" : names;
+}
+
+std::string to_text(const Space& space, Question question, const Domain& domain) {
+    const Variable& variable = space.variables[question.variable];
+    if (variable.kind == VariableKind::number) {
+        const MeasuredProperty::Interval& interval = domain.numbers[variable.index].intervals[question.value];
+        char buffer[32];
+        const std::string high(buffer, std::to_chars(buffer, buffer + sizeof buffer, interval.high).ptr);
+        return owl::local_name(variable.iri) + (interval.high_closed ? " <= " : " < ") + high;
+    }
+    if (variable.kind == VariableKind::range) {
+        const RangeConcept& range = domain.ranges[variable.index];
+        if (static_cast<std::size_t>(question.value) >= range.values.size())
+            return "has it another " + owl::local_name(range.iri);
+        const ElementaryConcept& value = range.values[question.value];
+        if (!value.question.empty()) return value.question;
+    }
+    if (variable.kind == VariableKind::parts) return "has it at least " + part_words(variable);
+    const std::string name =
+        variable.kind == VariableKind::range ? variable.values[question.value] : owl::local_name(variable.iri);
+    const bool vowel = !name.empty() && std::string("aeiouAEIOU").find(name[0]) != std::string::npos;
+    return "is it " + std::string(vowel ? "an " : "a ") + name;
+}
+
+}  // namespace partonomy::knowledge
