@@ -165,8 +165,8 @@ std::vector<PartRegion> collect(const TriangleMesh& mesh, const TriangleGeometry
         [&](std::size_t begin, std::size_t end) {
             for (std::size_t k = begin; k < end; ++k) {
                 PartRegion& part = regions[k];
-                part.region.memberships.assign(part.region.triangles.size(), 1.0F);
-                const PartBox measured = measure_part(mesh, geometry, part.region.triangles);
+                PartBox measured = measure_part(mesh, geometry, part.region.triangles);
+                part.region.memberships = std::move(measured.memberships);
                 part.box = measured.box;
                 part.fit = measured.fit;
             }

@@ -35,6 +35,7 @@ constexpr std::size_t most_samples = 3000;
 constexpr double end_quantile = 0.995;
 const double facing_cosine = std::cos(40 * std::numbers::pi / 180);
 const double slanted_cosine = std::cos(15 * std::numbers::pi / 180);
+constexpr double least_membership = 0.001;  // a triangle of the part is not outside of it
 constexpr Trapezoid near_wall{0, 0, 0.12, 0.7};
 constexpr Trapezoid along_wall{0, 0, 40, 90};
 
@@ -103,8 +104,8 @@ public:
         OrientedBox box = smallest_box(points_);
         const Vec3 middle = box.axes.transpose() * box.centre;
         Sides outer{middle - box.lengths / 2, middle + box.lengths / 2};
-        if (!(area_ > 0)) return {box, 1};
-        if (!is_rough(box.axes, outer)) return {box, fit(box)};
+        if (!(area_ > 0)) return {box, 1, std::vector<float>(triangles_.size(), 1.0F)};
+        if (!is_rough(box.axes, outer)) return fit(box);
         Sides sides = walls(box.axes, outer);
         if (sides.is_noisy) {
             const Eigen::Matrix3d axes = mean_axes(box.axes);
@@ -112,7 +113,7 @@ public:
             sides = walls(axes, outer);
             box = make_box(axes, sides);
         }
-        return {box, fit(box)};
+        return fit(box);
     }
 
 private:
@@ -212,9 +213,11 @@ private:
         return box;
     }
 
-    [[nodiscard]] double fit(const OrientedBox& box) const {
+    [[nodiscard]] PartBox fit(const OrientedBox& box) const {
+        PartBox part{box, 1, std::vector<float>(triangles_.size(), 1.0F)};
         const double width = std::sqrt(box.lengths[1] * box.lengths[2]);
-        if (!(width > 0)) return 1;
+        if (!(width > 0)) return part;
+        std::size_t at = 0;
         double sum = 0;
         for (const std::int32_t t : triangles_) {
             const Vec3 along = box.axes.transpose() * geometry_.normals[t];
@@ -229,8 +232,10 @@ private:
                 best = std::max(best, near * along_wall(angle));
             }
             sum += geometry_.areas[t] * best;
+            part.memberships[at++] = static_cast<float>(std::max(best, least_membership));
         }
-        return sum / area_;
+        part.fit = sum / area_;
+        return part;
     }
 
     const TriangleGeometry& geometry_;

@@ -10,7 +10,8 @@ namespace partonomy {
 /// The box of a part and how well the part fills it. `triangles` must not be empty.
 struct PartBox {
     OrientedBox box;
-    double fit = 1;
+    double fit = 1;                  ///< area-weighted mean of the memberships
+    std::vector<float> memberships;  ///< fitting score of each triangle, in (0, 1]
 };
 
 [[nodiscard]] PartBox measure_part(const TriangleMesh& mesh, const TriangleGeometry& geometry,
