@@ -6,7 +6,7 @@ namespace partonomy {
 
 /// What was done to a rough mesh.
 struct Calming {
-    double grain = 0;         ///< thickness below which noise may hide everything; 0 when the mesh was clean
+    double grain = 0;         ///< small pieces thinner than this may be folds of noise; 0 when the mesh was clean
     bool is_blurred = false;  ///< so rough that sharp creases are spread over some triangles now
 };
 

@@ -420,7 +420,8 @@ std::vector<Core> divide(const Surface& s, std::vector<Core> components, double 
     std::vector<std::int32_t> cell_of(s.count(), -1);
     Divider divider(s, total_area, slanted, cell_of);
     const auto too_small = [&](Core& core) {
-        return core.area < least_share * total_area || core.thickness < s.grain ||
+        const bool is_fin = core.thickness < s.grain && core.area < largest_fin * total_area;
+        return core.area < least_share * total_area || is_fin ||
                core.area < least_cubes * core.thickness * core.thickness;
     };
     std::vector<Core> cores;

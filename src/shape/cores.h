@@ -10,6 +10,9 @@ namespace partonomy {
 /// What the space around a triangle's middle point (halfway to the opposite wall) looks like.
 enum class Solidity : std::uint8_t { unknown, board, stick, cube };
 
+/// Folds that noise makes at creases are thin and not larger than this share of the whole surface.
+inline constexpr double largest_fin = 0.01;
+
 /// The sure part of a part: triangles whose opposite wall belongs to it too.
 struct Core {
     std::vector<std::int32_t> triangles;  ///< ascending

@@ -22,7 +22,7 @@ struct Surface {
     std::unique_ptr<RayScene> scene;  ///< the caller's triangles; hits are told in fine ones
     int threads = 1;                  ///< to use; <= 0: all cores
     double size = 0;                  ///< diagonal of the bounding box
-    double grain = 0;                 ///< what is thinner than this may be nothing but noise; 0 for a clean mesh
+    double grain = 0;                 ///< small pieces thinner than this may be folds of noise; 0 for a clean mesh
 
     [[nodiscard]] std::size_t count() const { return mesh.triangles.size(); }
     [[nodiscard]] bool in_crease(std::size_t i) const { return !creases.empty() && creases[i]; }
