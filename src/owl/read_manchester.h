@@ -9,8 +9,8 @@
 
 namespace partonomy::owl {
 
-/// Names, literals and expressions of Manchester syntax, said as triples. Whether `p some X` is about things or data
-/// the text does not tell; it is left open, and follows from p once all declarations are known.
+/// Names, literals, expressions, annotations and atoms of Manchester syntax, said as triples. Whether `p some X` is
+/// about things or data the text does not tell; it is left open, and follows from p once all declarations are known.
 class ManchesterExpressions {
 public:
     ManchesterExpressions(const std::string& text, const std::string& base, Graph& graph)
@@ -28,6 +28,10 @@ protected:
     [[nodiscard]] bool begins_primary() const;
     /// A word that can be no name, since it begins a section or frame.
     [[nodiscard]] bool is_keyword() const { return lexer_.kind == OwlToken::word && lexer_.text.ends_with(':'); }
+    /// The annotations that stand here, if any.
+    [[nodiscard]] std::vector<Note> annotations(int depth = 0);
+    [[nodiscard]] std::vector<Node> atoms();  ///< of a rule's body or head
+    bool section(const char* keyword);        ///< takes the keyword if it stands here
     bool take_mark(std::string_view mark);
     void want_mark(std::string_view mark, const char* after);
 
@@ -42,6 +46,8 @@ private:
     [[nodiscard]] Node restriction(Node on, long line);
     [[nodiscard]] Node one_of();
     [[nodiscard]] Node facets(Node datatype, long line);
+    [[nodiscard]] Node atom();
+    [[nodiscard]] std::vector<Node> arguments();
 
     int depth_ = 0;
 };

@@ -67,7 +67,10 @@ WriteNames::WriteNames(const Ontology& ontology, const WriteOptions& options) {
 void WriteNames::add(const std::string& prefix, const std::string& space) { prefix_of_.emplace(space, prefix); }
 
 std::string WriteNames::operator()(const Iri& iri) {
-    if (iri.starts_with("_:")) return iri;
+    if (iri.starts_with("_:")) {
+        anonymous_.insert(iri);
+        return iri;
+    }
     const std::string_view space = space_of(iri);
     if (!space.empty() && is_plain_name(std::string_view(iri).substr(space.size()))) {
         const auto found = prefix_of_.find(std::string(space));
@@ -77,6 +80,11 @@ std::string WriteNames::operator()(const Iri& iri) {
         }
     }
     return between("<", iri, ">");
+}
+
+bool WriteNames::has_label_with(const std::string& beginning) const {
+    const auto found = anonymous_.lower_bound(beginning);
+    return found != anonymous_.end() && found->starts_with(beginning);
 }
 
 std::vector<std::pair<std::string, std::string>> WriteNames::used_prefixes() const {

@@ -21,6 +21,8 @@ public:
     [[nodiscard]] std::string operator()(const Iri& iri);
     /// The prefixes that were used, with ':', and their namespaces.
     [[nodiscard]] std::vector<std::pair<std::string, std::string>> used_prefixes() const;
+    /// Whether an anonymous individual was called by a name that begins so.
+    [[nodiscard]] bool has_label_with(const std::string& beginning) const;
     /// Whether a statement from `source` is to be written.
     [[nodiscard]] bool is_ours(const Source& source) const { return !foreign_files_.contains(source.file); }
     /// IRIs to import.
@@ -30,6 +32,7 @@ private:
     void add(const std::string& prefix, const std::string& space);
     std::map<std::string, std::string> prefix_of_;  ///< by namespace
     std::set<std::string> used_;                    ///< namespaces
+    std::set<Iri> anonymous_;                       ///< names of anonymous individuals that were asked for
     std::set<std::string> foreign_files_;
     std::vector<Iri> imports_;
 };

@@ -1,53 +1,28 @@
-// Turtle out of axioms (W3C OWL 2 "Mapping to RDF Graphs", table 1). An expression is a text: a name, "[ … ]" or "( …
-// )"; an axiom is a triple of texts. Where the annotation of an axiom has to point at a blank node, the node gets a
-// label and its description a sentence of its own. Recursion is as deep as expressions nest, which readers bound.
+// Turtle out of axioms (W3C OWL 2 "Mapping to RDF Graphs", table 1). An axiom is a triple of texts, see
+// turtle_expressions.h. Where the annotation of an axiom has to point at a blank node, the node gets a label and its
+// description a sentence of its own.
 
-#include <algorithm>
-#include <initializer_list>
-#include <string_view>
 #include <utility>
 
+#include "owl/turtle_expressions.h"
 #include "owl/words.h"
-#include "owl/write_names.h"
 
 namespace partonomy::owl {
 namespace {
 
-/// The pieces one after the other. In a chain of + GCC 12 sees an overlap that is not there.
-std::string glued(std::initializer_list<std::string_view> pieces) {
-    std::string text;
-    for (const std::string_view piece : pieces) text += piece;
-    return text;
-}
-
-class TurtleWriter {
+class TurtleWriter : private TurtleExpressions {
 public:
-    TurtleWriter(const Ontology& ontology, WriteNames& names);
+    /// `stem` begins the labels of the writer's own blank nodes.
+    TurtleWriter(const Ontology& ontology, WriteNames& names, std::string stem)
+        : TurtleExpressions(names), ontology_(ontology), label_stem_(std::move(stem)) {}
 
     std::string body();
     std::string head(const Iri& version);
 
 private:
-    [[nodiscard]] std::string show(const ClassExpression& expression);
-    [[nodiscard]] std::string show(const DataRange& range);
-    [[nodiscard]] std::string show(const PropertyExpression& property);
-    [[nodiscard]] std::string show(const Literal& literal) { return literal_text(literal, names_, true); }
-    [[nodiscard]] std::string show(const Iri& iri) { return names_(iri); }
-    [[nodiscard]] std::string show(const RuleTerm& term);
-    [[nodiscard]] std::string show(const RuleAtom& atom);
     [[nodiscard]] std::string atoms(const std::vector<RuleAtom>& list);
-    [[nodiscard]] std::string restriction(const ClassExpression& expression, const char* word);
-    [[nodiscard]] std::string cardinality(const ClassExpression& expression, const char* word, const char* qualified);
-    template <typename Items>
-    [[nodiscard]] std::string list(const Items& items, std::size_t from = 0);
     template <typename Items>
     [[nodiscard]] std::string list_object(const Items& items, std::size_t from, const Axiom& axiom);
-    [[nodiscard]] std::string show_item(const ClassPointer& item) { return show(*item); }
-    template <typename Item>
-    [[nodiscard]] std::string show_item(const Item& item) {
-        return show(item);
-    }
-
     void write(const Axiom& axiom);
     void characteristic(const Axiom& axiom, const char* type);
     void triple(std::string subject, const std::string& predicate, std::string object,
@@ -66,174 +41,10 @@ private:
     void notes(const std::string& subject, const std::vector<Annotation>& annotations);
 
     const Ontology& ontology_;
-    WriteNames& names_;
     std::string text_;
-    std::string label_stem_ = "_:x";
+    std::string label_stem_;
     std::size_t labels_ = 0;
 };
-
-/// No label of ours may be one of the ontology's.
-TurtleWriter::TurtleWriter(const Ontology& ontology, WriteNames& names) : ontology_(ontology), names_(names) {
-    std::size_t longest = 0;
-    const auto look_at = [&](const Iri& iri) {
-        if (iri.starts_with("_:x")) longest = std::max(longest, iri.size());
-    };
-    const auto look_into = [&](const auto& self, const ClassExpression& expression) -> void {
-        for (const Iri& iri : expression.individuals) look_at(iri);
-        for (const ClassPointer& operand : expression.operands) self(self, *operand);
-    };
-    for (const Axiom& axiom : ontology.axioms) {
-        for (const Iri& iri : axiom.individuals) look_at(iri);
-        for (const ClassPointer& expression : axiom.classes) look_into(look_into, *expression);
-        for (const Annotation& note : axiom.annotations) look_at(note.iri);
-        if (!axiom.rule) continue;
-        for (const auto* atoms : {&axiom.rule->body, &axiom.rule->head}) {
-            for (const RuleAtom& atom : *atoms) {
-                if (atom.klass) look_into(look_into, *atom.klass);
-                for (const RuleTerm& term : atom.arguments) look_at(term.iri);
-            }
-        }
-    }
-    for (const auto& [subject, notes] : ontology.annotations) {
-        look_at(subject);
-        for (const Annotation& note : notes) look_at(note.iri);
-    }
-    while (label_stem_.size() < longest) label_stem_ += 'x';
-}
-
-template <typename Items>
-std::string TurtleWriter::list(const Items& items, std::size_t from) {
-    std::string text = "(";
-    for (std::size_t i = from; i < items.size(); ++i) text += glued({" ", show_item(items[i])});
-    return text + " )";
-}
-
-std::string TurtleWriter::show(const PropertyExpression& property) {
-    return property.inverse ? glued({"[ owl:inverseOf ", names_(property.iri), " ]"}) : names_(property.iri);
-}
-
-std::string TurtleWriter::restriction(const ClassExpression& expression, const char* word) {
-    const bool over_data = expression.kind >= ClassKind::data_some_values_from;
-    std::string filler = "true";
-    if (expression.kind == ClassKind::has_value)
-        filler = show(expression.individuals.at(0));
-    else if (expression.kind == ClassKind::data_has_value)
-        filler = show(expression.range.values.at(0));
-    else if (over_data)
-        filler = show(expression.range);
-    else if (expression.kind != ClassKind::has_self)
-        filler = show(*expression.operands.at(0));
-    return glued(
-        {"[ a owl:Restriction ; owl:onProperty ", show(expression.property), " ; owl:", word, " ", filler, " ]"});
-}
-
-std::string TurtleWriter::cardinality(const ClassExpression& expression, const char* word, const char* qualified) {
-    const bool over_data = expression.kind >= ClassKind::data_some_values_from;
-    const bool is_qualified = over_data ? !expression.range.facets.empty() ||
-                                              expression.range.kind != DataRangeKind::datatype ||
-                                              expression.range.datatype != std::string(rdfs_prefix) + "Literal"
-                                        : expression.operands.at(0)->kind != ClassKind::named ||
-                                              expression.operands[0]->iri != std::string(owl_prefix) + "Thing";
-    const std::string type = names_(std::string(xsd_prefix) + "nonNegativeInteger");
-    const std::string text =
-        glued({"[ a owl:Restriction ; owl:onProperty ", show(expression.property),
-               " ; owl:", is_qualified ? qualified : word, " \"", std::to_string(expression.number), "\"^^", type});
-    if (!is_qualified) return text + " ]";
-    return over_data ? glued({text, " ; owl:onDataRange ", show(expression.range), " ]"})
-                     : glued({text, " ; owl:onClass ", show(*expression.operands[0]), " ]"});
-}
-
-std::string TurtleWriter::show(const ClassExpression& expression) {
-    switch (expression.kind) {
-        case ClassKind::named:
-            return names_(expression.iri);
-        case ClassKind::intersection_of:
-            return glued({"[ a owl:Class ; owl:intersectionOf ", list(expression.operands), " ]"});
-        case ClassKind::union_of:
-            return glued({"[ a owl:Class ; owl:unionOf ", list(expression.operands), " ]"});
-        case ClassKind::complement_of:
-            return glued({"[ a owl:Class ; owl:complementOf ", show(*expression.operands.at(0)), " ]"});
-        case ClassKind::one_of:
-            return glued({"[ a owl:Class ; owl:oneOf ", list(expression.individuals), " ]"});
-        case ClassKind::some_values_from:
-        case ClassKind::data_some_values_from:
-            return restriction(expression, "someValuesFrom");
-        case ClassKind::all_values_from:
-        case ClassKind::data_all_values_from:
-            return restriction(expression, "allValuesFrom");
-        case ClassKind::has_value:
-        case ClassKind::data_has_value:
-            return restriction(expression, "hasValue");
-        case ClassKind::has_self:
-            return restriction(expression, "hasSelf");
-        case ClassKind::min_cardinality:
-        case ClassKind::data_min_cardinality:
-            return cardinality(expression, "minCardinality", "minQualifiedCardinality");
-        case ClassKind::max_cardinality:
-        case ClassKind::data_max_cardinality:
-            return cardinality(expression, "maxCardinality", "maxQualifiedCardinality");
-        case ClassKind::exact_cardinality:
-        case ClassKind::data_exact_cardinality:
-            return cardinality(expression, "cardinality", "qualifiedCardinality");
-    }
-    return {};
-}
-
-std::string TurtleWriter::show(const DataRange& range) {
-    switch (range.kind) {
-        case DataRangeKind::datatype: {
-            if (range.facets.empty()) return names_(range.datatype);
-            std::string facets = "(";
-            for (const auto& [facet, literal] : range.facets)
-                facets += glued({" [ ", names_(facet), " ", show(literal), " ]"});
-            return glued({"[ a rdfs:Datatype ; owl:onDatatype ", names_(range.datatype), " ; owl:withRestrictions ",
-                          facets, " ) ]"});
-        }
-        case DataRangeKind::one_of:
-            return glued({"[ a rdfs:Datatype ; owl:oneOf ", list(range.values), " ]"});
-        case DataRangeKind::intersection_of:
-            return glued({"[ a rdfs:Datatype ; owl:intersectionOf ", list(range.operands), " ]"});
-        case DataRangeKind::union_of:
-            return glued({"[ a rdfs:Datatype ; owl:unionOf ", list(range.operands), " ]"});
-        case DataRangeKind::complement_of:
-            return glued({"[ a rdfs:Datatype ; owl:datatypeComplementOf ", show(range.operands.at(0)), " ]"});
-    }
-    return {};
-}
-
-std::string TurtleWriter::show(const RuleTerm& term) {
-    return term.kind == RuleTerm::Kind::literal ? show(term.literal) : names_(term.iri);
-}
-
-std::string TurtleWriter::show(const RuleAtom& atom) {
-    std::string text = "[ a ";
-    switch (atom.kind) {
-        case RuleAtom::Kind::of_class:
-            text += glued({"swrl:ClassAtom ; swrl:classPredicate ", show(*atom.klass)});
-            break;
-        case RuleAtom::Kind::of_data_range:
-            text += glued({"swrl:DataRangeAtom ; swrl:dataRange ", show(atom.range)});
-            break;
-        case RuleAtom::Kind::object_property:
-            text += glued({"swrl:IndividualPropertyAtom ; swrl:propertyPredicate ", show(atom.property)});
-            break;
-        case RuleAtom::Kind::data_property:
-            text += glued({"swrl:DatavaluedPropertyAtom ; swrl:propertyPredicate ", show(atom.property)});
-            break;
-        case RuleAtom::Kind::same_as:
-            text += "swrl:SameIndividualAtom";
-            break;
-        case RuleAtom::Kind::different_from:
-            text += "swrl:DifferentIndividualsAtom";
-            break;
-        case RuleAtom::Kind::built_in:
-            return glued({text, "swrl:BuiltinAtom ; swrl:builtin ", names_(atom.iri), " ; swrl:arguments ",
-                          list(atom.arguments), " ]"});
-    }
-    text += glued({" ; swrl:argument1 ", show(atom.arguments.at(0))});
-    if (atom.arguments.size() > 1) text += glued({" ; swrl:argument2 ", show(atom.arguments[1])});
-    return text + " ]";
-}
 
 /// A labelled node for each cell: an rdf:List says swrl:AtomList for no reader, and nested brackets would be too deep.
 std::string TurtleWriter::atoms(const std::vector<RuleAtom>& list) {
@@ -447,15 +258,21 @@ std::string TurtleWriter::body() {
 
 std::string write_turtle(const Ontology& ontology, const WriteOptions& options) {
     WriteNames names(ontology, options);
-    TurtleWriter writer(ontology, names);
     for (const char* space : {owl_prefix, rdf_prefix, rdfs_prefix}) static_cast<void>(names(std::string(space) + "x"));
-    const std::string head = writer.head(version_of(ontology));
-    const std::string body = writer.body();
-    if (body.find("swrl:") != std::string::npos) static_cast<void>(names(std::string(swrl_prefix) + "x"));
+    std::string text;
+    std::string stem = "_:x";
+    for (;; stem += 'x') {  // no label of ours may be one of the ontology's
+        TurtleWriter writer(ontology, names, stem);
+        text = writer.head(version_of(ontology));
+        text += '\n';
+        text += writer.body();
+        if (!names.has_label_with(stem)) break;
+    }
+    if (text.find("swrl:") != std::string::npos) static_cast<void>(names(std::string(swrl_prefix) + "x"));
     std::string prefixes;
     for (const auto& [prefix, space] : names.used_prefixes())
         prefixes += glued({"@prefix ", prefix, " <", space, "> .\n"});
-    return prefixes + "\n" + head + "\n" + body;
+    return prefixes + "\n" + text;
 }
 
 }  // namespace partonomy::owl

@@ -120,6 +120,40 @@ TEST_F(Imports, CatalogComesFirst) {
     EXPECT_TRUE(sentence("a.ttl").starts_with((folder / "catalog-v001.xml").string() + ":2: ")) << sentence("a.ttl");
 }
 
+TEST_F(Imports, AnySyntaxImportsAnyOther) {
+    write("a.ofn", "Prefix(:=<http://e/>) Ontology(<http://e/a> Import(<http://e/b>) Declaration(Class(:A)) "
+                   "SubClassOf(:A ObjectSomeValuesFrom(:p :B)))");
+    write("b.omn", "Prefix: : <http://e/>\nOntology: <http://e/b>\nImport: <http://e/c>\nClass: B\n"
+                   "    SubClassOf: size some Length\nObjectProperty: p\n");
+    write("c.owl", "<Ontology xmlns=\"http://www.w3.org/2002/07/owl#\" xml:base=\"http://e/\" ontologyIRI=\"http://e/c\">"
+                   "<Import>http://e/d</Import><Declaration><DataProperty IRI=\"size\"/></Declaration></Ontology>");
+    write("d.xml", "<rdf:RDF xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\" "
+                   "xmlns:owl=\"http://www.w3.org/2002/07/owl#\" xmlns:rdfs=\"http://www.w3.org/2000/01/rdf-schema#\">"
+                   "<owl:Ontology rdf:about=\"http://e/d\"><owl:imports rdf:resource=\"http://e/a\"/></owl:Ontology>"
+                   "<rdfs:Datatype rdf:about=\"http://e/Length\"/></rdf:RDF>");
+    for (const char* name : {"a.ofn", "b.omn", "c.owl", "d.xml"}) {  // a cycle: each of them reaches all
+        const Ontology ontology = load_ontology(folder / name);
+        EXPECT_EQ(ontology.imports.size(), 3U) << name;
+        EXPECT_EQ(ontology.axioms.size(), 2U) << name;
+        // What `size some Length` is about is said in another file, and in Manchester syntax nowhere else.
+        for (const Axiom& axiom : ontology.axioms) {
+            const bool is_size = axiom.source.file.ends_with("b.omn");
+            EXPECT_EQ(axiom.classes.at(1)->kind,
+                      is_size ? ClassKind::data_some_values_from : ClassKind::some_values_from);
+        }
+    }
+}
+
+TEST_F(Imports, AnonymousIndividualsOfTwoDocumentsAreTwo) {
+    write("a.ofn", "Ontology(<http://e/a> Import(<http://e/b>) ClassAssertion(owl:Thing _:x) SameIndividual(_:x _:y))");
+    write("b.ofn", "Ontology(<http://e/b> ClassAssertion(owl:Thing _:x))");
+    const Ontology ontology = load_ontology(folder / "a.ofn");
+    ASSERT_EQ(ontology.axioms.size(), 3U);
+    EXPECT_EQ(ontology.axioms[0].individuals, std::vector<Iri>{"_:x.2"}) << "the one of the import is renamed";
+    EXPECT_EQ(ontology.axioms[1].individuals, std::vector<Iri>{"_:x"});
+    EXPECT_EQ(ontology.axioms[2].individuals, (std::vector<Iri>{"_:x", "_:y"}));
+}
+
 TEST_F(Imports, NotFoundNamesTheImportingLine) {
     write("a.ttl", text("a", {"b"}));
     write("b.ttl", text("b", {"missing"}));
