@@ -18,6 +18,7 @@
 #include "knowledge/clauses.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 
 namespace partonomy::knowledge {
@@ -32,6 +33,15 @@ std::vector<int> negated(std::span<const int> literals) {
 }
 
 }  // namespace
+
+std::size_t Clauses::Hash::operator()(const std::vector<int>& literals) const {
+    std::uint64_t hash = literals.size();
+    for (const int literal : literals) {
+        hash = (hash ^ static_cast<std::uint32_t>(literal)) * 0x9E3779B97F4A7C15U;
+        hash ^= hash >> 29;
+    }
+    return static_cast<std::size_t>(hash);
+}
 
 void Clauses::add(std::span<const int> literals) {
     if (always_ != 0 && std::ranges::find(literals, always_) != literals.end()) return;

@@ -2,8 +2,8 @@
 
 #include <cstddef>
 #include <initializer_list>
-#include <map>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 namespace partonomy::knowledge {
@@ -52,8 +52,11 @@ private:
     int always_ = 0;
     std::vector<int> literals_;
     std::vector<std::size_t> ends_;
-    std::map<std::vector<int>, int> conjunctions_;  ///< by sorted literals
-    std::map<std::vector<int>, std::size_t> counter_ids_;
+    struct Hash {
+        std::size_t operator()(const std::vector<int>& literals) const;
+    };
+    std::unordered_map<std::vector<int>, int, Hash> conjunctions_;  ///< by sorted literals; only looked up, so no order
+    std::unordered_map<std::vector<int>, std::size_t, Hash> counter_ids_;
     std::vector<Counter> counters_;
 };
 

@@ -159,6 +159,7 @@ void Grounder::ground_key(const Axiom& axiom) {
                             clauses.all_of({property_atom(property, a, c), property_atom(property, b, c)}));
                 }
                 clause.push_back(-clauses.any_of(shared));
+                expect_clauses(0);
             }
             require(clause);
         }

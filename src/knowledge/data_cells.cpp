@@ -278,20 +278,23 @@ struct DataCells::Cutter {
     }
 
     void cut_texts() {
-        std::map<std::size_t, const DataValue*> constants;  // by language
-        for (const DataValue& value : values)
-            if (value.family == Family::text) constants[texts.add_text(value.text)] = &value;
-        for (const TextLanguages::Cell& cell : texts.cut()) {
-            std::optional<DataValue> value;
-            for (const auto& [language, constant] : constants)
-                if (cell.inside[language]) value = *constant;
-            add(cell.capacity, satisfied([&](const Condition& condition) {
-                    if (condition.known == Known::all_texts) return true;
-                    return condition.known == Known::texts &&
-                           std::ranges::all_of(condition.languages, [&](std::size_t i) { return cell.inside[i]; });
-                }),
-                std::move(value));
+        std::vector<TextLanguages::Cell> cells_of_texts = texts.cut();
+        const auto conditions_of = [&](const std::vector<bool>& inside_languages) {
+            return satisfied([&](const Condition& condition) {
+                if (condition.known == Known::all_texts) return true;
+                return condition.known == Known::texts &&
+                       std::ranges::all_of(condition.languages, [&](std::size_t i) { return inside_languages[i]; });
+            });
+        };
+        for (const DataValue& value : values) {
+            if (value.family != Family::text) continue;
+            const std::vector<bool> languages = texts.inside(value.text);
+            const auto cell = std::ranges::find(cells_of_texts, languages, &TextLanguages::Cell::inside);
+            if (cell != cells_of_texts.end() && cell->capacity != uncountable) --cell->capacity;
+            add(1, conditions_of(languages), value);
         }
+        for (const TextLanguages::Cell& cell : cells_of_texts)
+            add(cell.capacity, conditions_of(cell.inside), std::nullopt);
     }
 
     /// A family of which only the values mentioned are known; `rest` is how many more there are.
@@ -363,12 +366,11 @@ void DataCells::mention(const owl::Literal& literal) {
                               : nullptr;
     if (pattern != nullptr) {
         TextLanguages check;
-        check.add_pattern(pattern);
-        check.add_text(value.text);
-        const auto cells = check.cut();
-        if (std::ranges::none_of(cells, [](const auto& cell) { return cell.inside[0] && cell.inside[1]; }))
+        (void)check.add_pattern(pattern);
+        if (!check.inside(value.text)[0]) {
             throw CannotGround{"\"" + literal.value + "\" is no " + owl::short_name(literal.datatype) +
                                "; use xsd:string, or a text that is one"};
+        }
     }
     if (value_ids_.try_emplace(key_of(value), values_.size()).second) values_.push_back(std::move(value));
 }

@@ -1,11 +1,11 @@
 /* How patterns, lengths and constants cut the infinitely many strings into cells.
 
-   Every language is a part of one automaton: each character class written in a pattern is a position (Glushkov 1961), a
-   constant is a chain of positions, and a length is a chain of "any character". Reading a string from all begin
-   positions at once leads to a set of positions, which tells for every language whether the string is in it (the subset
-   construction, all languages together). The sets that are reached form a finite graph; strings that end in sets with
-   the same answers are one cell. A set that lies behind a cycle of the graph is reached by infinitely many strings, the
-   others by as many as there are paths to them, counted with the number of characters on each step.
+   Every language is a part of one automaton: each character class written in a pattern is a position (Glushkov 1961),
+   and a length is a chain of "any character". Reading a string from all begin positions at once leads to a set of
+   positions, which tells for every language whether the string is in it (the subset construction, all languages
+   together). The sets that are reached form a finite graph; strings that end in sets with the same answers are one
+   cell. A set that lies behind a cycle of the graph is reached by infinitely many strings, the others by as many as
+   there are paths to them, counted with the number of characters on each step.
 
    Characters matter only by which classes contain them, so the alphabet is cut first; the graph has one edge for each
    piece. Cost: states × pieces × positions in a state; more than `max_states` states is refused (patterns such as
@@ -177,12 +177,6 @@ std::size_t TextLanguages::add_pattern(const std::string& pattern) {
     return add_language(PatternParser(*this, pattern).parse());
 }
 
-std::size_t TextLanguages::add_text(const std::string& text) {
-    Part part;
-    for (const char32_t c : code_points(text)) part = sequence(part, one_of({{c, c}}));
-    return add_language(part);
-}
-
 std::size_t TextLanguages::add_length(std::uint64_t least, std::uint64_t most) {
     if (least > most) return add_language({{}, {}, false});
     const std::uint64_t chain = most == uncountable ? std::max<std::uint64_t>(least, 1) : most;
@@ -201,6 +195,51 @@ std::size_t TextLanguages::add_length(std::uint64_t least, std::uint64_t most) {
     return add_language(part);
 }
 
+std::vector<int> TextLanguages::begin() const {
+    std::vector<int> result;
+    for (const Part& language : languages_) join(result, language.first);
+    return result;
+}
+
+std::vector<int> TextLanguages::after(const std::vector<int>& positions) const {
+    std::vector<int> result;
+    for (const int position : positions) {
+        const auto& next = follow_[static_cast<std::size_t>(position)];
+        result.insert(result.end(), next.begin(), next.end());
+    }
+    std::ranges::sort(result);
+    result.erase(std::ranges::unique(result).begin(), result.end());
+    return result;
+}
+
+std::vector<bool> TextLanguages::ends_at(const std::vector<int>& positions) const {
+    std::vector<bool> result;
+    for (const Part& language : languages_) {
+        result.push_back(std::ranges::any_of(
+            language.last, [&](int position) { return std::ranges::binary_search(positions, position); }));
+    }
+    return result;
+}
+
+std::vector<bool> TextLanguages::has_empty() const {
+    std::vector<bool> result;
+    for (const Part& language : languages_) result.push_back(language.nullable);
+    return result;
+}
+
+std::vector<bool> TextLanguages::inside(const std::string& text) const {
+    const std::u32string points = code_points(text);
+    if (points.empty()) return has_empty();
+    std::vector<int> reached, next = begin();
+    for (const char32_t c : points) {
+        reached.clear();
+        for (const int position : next)
+            if (has(positions_[static_cast<std::size_t>(position)], c)) reached.push_back(position);
+        next = after(reached);
+    }
+    return ends_at(reached);
+}
+
 std::vector<TextLanguages::Cell> TextLanguages::cut() const {
     const auto pieces = pieces_of(positions_);
     std::vector<std::vector<bool>> reads(pieces.size(), std::vector<bool>(positions_.size()));
@@ -208,9 +247,10 @@ std::vector<TextLanguages::Cell> TextLanguages::cut() const {
         for (std::size_t position = 0; position < positions_.size(); ++position)
             reads[i][position] = has(positions_[position], pieces[i].first);
 
-    Graph graph;
+    // State 0 is the begin, the only one that the empty string reaches; no set of positions stands for it.
+    Graph graph{{has_empty()}, {{}}};
     std::map<std::vector<int>, int> ids;
-    std::vector<const std::vector<int>*> states;
+    std::vector<const std::vector<int>*> states{nullptr};
     const auto state_of = [&](const std::vector<int>& positions) {
         const auto [found, is_new] = ids.try_emplace(positions, static_cast<int>(states.size()));
         if (is_new) {
@@ -220,30 +260,12 @@ std::vector<TextLanguages::Cell> TextLanguages::cut() const {
             }
             states.push_back(&found->first);
             graph.edges.emplace_back();
-            std::vector<bool> inside;
-            for (const Part& language : languages_) {
-                inside.push_back(std::ranges::any_of(
-                    language.last, [&](int position) { return std::ranges::binary_search(positions, position); }));
-            }
-            graph.inside.push_back(std::move(inside));
+            graph.inside.push_back(ends_at(positions));
         }
         return found->second;
     };
-    // State 0 is the begin, the only one that the empty string reaches; no set of positions stands for it.
-    (void)state_of({-1});
-    std::vector<int> begin;
-    for (const Part& language : languages_) join(begin, language.first);
-    for (std::size_t i = 0; i < languages_.size(); ++i) graph.inside[0][i] = languages_[i].nullable;
     for (std::size_t state = 0; state < states.size(); ++state) {
-        std::vector<int> next;
-        if (state == 0) next = begin;
-        for (const int position : *states[state])
-            if (position >= 0) {
-                const auto& after = follow_[static_cast<std::size_t>(position)];
-                next.insert(next.end(), after.begin(), after.end());
-            }
-        std::ranges::sort(next);
-        next.erase(std::ranges::unique(next).begin(), next.end());
+        const std::vector<int> next = state == 0 ? begin() : after(*states[state]);
         for (std::size_t i = 0; i < pieces.size(); ++i) {
             std::vector<int> reached;
             for (const int position : next)

@@ -21,7 +21,7 @@ inline constexpr std::uint64_t uncountable = std::numeric_limits<std::uint64_t>:
 /// Ranges of code points, first and last, ascending and apart.
 using Characters = std::vector<std::pair<char32_t, char32_t>>;
 
-/// Sets of strings, each given by a pattern, a length or one string, and the cells into which they cut all strings.
+/// Sets of strings, each given by a pattern or by lengths, and the cells into which they cut all strings.
 class TextLanguages {
 public:
     struct Cell {
@@ -32,13 +32,15 @@ public:
     /// The number of the language. Throws CannotGround for what is no regular expression of XML Schema, or one that is
     /// not supported (\w, \p), or too large.
     std::size_t add_pattern(const std::string& pattern);
-    std::size_t add_text(const std::string& text);
     /// Strings of `least` to `most` characters.
     std::size_t add_length(std::uint64_t least, std::uint64_t most);
 
     /// All strings, cut by all languages; every string is in exactly one cell. Throws CannotGround when that takes too
     /// many states.
     [[nodiscard]] std::vector<Cell> cut() const;
+
+    /// By language, whether the string is in it.
+    [[nodiscard]] std::vector<bool> inside(const std::string& text) const;
 
 private:
     friend class PatternParser;
@@ -53,6 +55,11 @@ private:
     [[nodiscard]] Part either(const Part& a, const Part& b) const;
     [[nodiscard]] Part repeated(const Part& a);
     std::size_t add_language(const Part& part);
+    /// Positions that may be read after one of these, ascending.
+    [[nodiscard]] std::vector<int> after(const std::vector<int>& positions) const;
+    [[nodiscard]] std::vector<int> begin() const;
+    [[nodiscard]] std::vector<bool> ends_at(const std::vector<int>& positions) const;
+    [[nodiscard]] std::vector<bool> has_empty() const;
 
     std::vector<Characters> positions_;     ///< the characters that are read on the way into each position
     std::vector<std::vector<int>> follow_;  ///< by position

@@ -36,14 +36,10 @@ std::string between(const std::string& type, const std::string& low, const std::
 std::pair<std::uint64_t, bool> matches(const std::string& pattern, const std::string& text) {
     TextLanguages languages;
     (void)languages.add_pattern(pattern);
-    (void)languages.add_text(text);
     std::uint64_t count = 0;
-    bool has_text = false;
-    for (const TextLanguages::Cell& cell : languages.cut()) {
+    for (const TextLanguages::Cell& cell : languages.cut())
         if (cell.inside[0]) count = knowledge::closed::saturating_sum(count, cell.capacity);
-        has_text = has_text || (cell.inside[0] && cell.inside[1]);
-    }
-    return {count, has_text};
+    return {count, languages.inside(text)[0]};
 }
 
 }  // namespace

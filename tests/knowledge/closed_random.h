@@ -2,6 +2,7 @@
 
 #include <map>
 #include <random>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -53,6 +54,7 @@ private:
     std::mt19937 random_;
     Shape shape_;
     bool has_definition_ = false;
+    std::set<Iri> unions_;  ///< classes that a DisjointUnion defines
 };
 
 /// Adds what `world` has to the census.
