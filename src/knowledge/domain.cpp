@@ -101,19 +101,27 @@ std::vector<Iri> Domain::most_specific(const std::vector<Iri>& iris) const {
 }
 
 std::vector<std::pair<Iri, Iri>> Domain::hierarchy() const {
-    std::vector<Iri> names{core_term("Feature"), core_term("Region"), core_term("Object"), core_term("Incompatible")};
-    for (const RangeConcept& range : ranges) {
-        names.push_back(range.iri);
-        for (const ElementaryConcept& value : range.values) names.push_back(value.iri);
-    }
-    for (const Space* space : {&regions, &objects})
-        for (const Concept& each : space->concepts)
-            if (!each.where.is_empty()) names.push_back(each.iri);
-    std::ranges::sort(names);
     std::vector<std::pair<Iri, Iri>> pairs;
-    for (const Iri& a : names)
-        for (const Iri& b : names)
-            if (a != b && is_below(*this, a, b)) pairs.emplace_back(a, b);
+    for (const RangeConcept& range : ranges) {
+        pairs.emplace_back(range.iri, core_term("Feature"));
+        for (const ElementaryConcept& value : range.values) {
+            pairs.emplace_back(value.iri, range.iri);
+            pairs.emplace_back(value.iri, core_term("Feature"));
+        }
+    }
+    for (const Space* space : {&regions, &objects}) {
+        const Iri top = core_term(space == &regions ? "Region" : "Object");
+        const ConfigurationSet all = space->all();
+        for (const Concept& a : space->concepts) {
+            if (a.where.is_empty()) continue;
+            pairs.emplace_back(a.iri, top);
+            if (all.is_subset_of(a.where)) pairs.emplace_back(top, a.iri);
+            if (is_below(*this, a.iri, core_term("Incompatible"))) pairs.emplace_back(a.iri, core_term("Incompatible"));
+            for (const Concept& b : space->concepts)
+                if (a.iri != b.iri && a.where.is_subset_of(b.where)) pairs.emplace_back(a.iri, b.iri);
+        }
+    }
+    std::ranges::sort(pairs);
     return pairs;
 }
 

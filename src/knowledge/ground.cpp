@@ -42,6 +42,10 @@ Grounder::Grounder(const owl::Ontology& ontology, const std::map<Iri, Level>& le
     theory_.formulas.resize(2);
     theory_.formulas[0].kind = Kind::truth;
     theory_.formulas[1].kind = Kind::falsity;
+    for (std::size_t r = 0; r < theory.ranges.size(); ++r) {
+        range_names_.insert(theory.ranges[r].iri);
+        for (const ElementaryConcept& value : theory.ranges[r].values) ranges_of_values_.emplace(value.iri, r);
+    }
 }
 
 FormulaId Grounder::add(Formula formula) {
@@ -99,10 +103,8 @@ FormulaId Grounder::choice(std::size_t feature, ConfigurationSet values) {
 }
 
 const RangeConcept* Grounder::range_of_value(const Iri& value) const {
-    for (const RangeConcept& range : theory_.ranges)
-        for (const ElementaryConcept& each : range.values)
-            if (each.iri == value) return &range;
-    return nullptr;
+    const auto found = ranges_of_values_.find(value);
+    return found == ranges_of_values_.end() ? nullptr : &theory_.ranges[found->second];
 }
 
 bool Grounder::is_functional(const Iri& property) const {
@@ -167,8 +169,7 @@ ConfigurationSet Grounder::values(const ClassExpression& expression, std::size_t
             return none;
         }
     const RangeConcept* other = range_of_value(iri);
-    const bool is_range = std::ranges::any_of(theory_.ranges, [&](const auto& r) { return r.iri == iri; });
-    if (other != nullptr || is_range) {
+    if (other != nullptr || range_names_.contains(iri)) {
         if (!strict) return none;
         refuse(axiom, owl::local_name(iri) + " is no value of " + owl::local_name(concept_range.iri),
                other != nullptr ? "write " + owl::local_name(other->property) + " some " + owl::local_name(iri)

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 
 #include "knowledge/theory.h"
 
@@ -38,6 +39,8 @@ private:
     const owl::Ontology& ontology_;
     const std::map<Iri, Level>& levels_;
     Theory& theory_;
+    std::map<Iri, std::size_t> ranges_of_values_;
+    std::set<Iri> range_names_;
     std::vector<Iri> open_;  ///< classes of values whose definition is being read
 };
 

@@ -228,6 +228,14 @@ TEST(CompiledSpace, ATrillionConfigurations) {
     }
 }
 
+TEST(CompiledSpace, AThousandConcepts) {
+    const Domain domain = compile(local_rules(1, 1000, 600, 8).result);
+    EXPECT_EQ(domain.regions.product_text().size(), 302U);  // 2^1000
+    EXPECT_GT(domain.regions.possible.count_text().size(), 200U);
+    EXPECT_GT(domain.hierarchy().size(), 3000U);
+    EXPECT_TRUE(domain.unsatisfiable().empty());
+}
+
 TEST(CompiledSpace, ReachingALimitIsASentence) {
     CompileOptions options;
     options.diagram.node_limit = 10;
