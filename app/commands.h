@@ -28,10 +28,12 @@ void add_explain_command(CLI::App& app, Run& run);
 void add_export_command(CLI::App& app, Run& run);
 void add_catalogue_command(CLI::App& app, Run& run);
 
-/// --ontology and --import-dir, as several commands take them.
+/// --ontology, --import-dir and the limits of configuration spaces, as several commands take them.
 struct OntologyArguments {
     std::string path;
     std::vector<std::string> import_folders;
+    knowledge::DiagramOptions limits;
+    std::size_t diagram_mb = limits.memory_limit >> 20;
     void add_to(CLI::App& command, bool positional);
     [[nodiscard]] knowledge::Domain load() const;
 };

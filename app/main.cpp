@@ -11,20 +11,30 @@
 namespace partonomy::app {
 
 void OntologyArguments::add_to(CLI::App& command, bool positional) {
-    command.add_option(positional ? "ONTOLOGY" : "--ontology,-O", path, "the ontology, in any syntax of OWL 2")->required();
+    command.add_option(positional ? "ONTOLOGY" : "--ontology,-O", path, "the ontology, in any syntax of OWL 2")
+        ->required();
     command.add_option("--import-dir", import_folders, "folder to search for imported ontologies (repeatable)");
+    command.add_option("--diagram-nodes", limits.node_limit, "nodes that a diagram of configurations may have")
+        ->capture_default_str();
+    command.add_option("--diagram-seconds", limits.seconds_limit, "time that making a diagram may take")
+        ->capture_default_str();
+    command.add_option("--diagram-mb", diagram_mb, "memory that a diagram may take")->capture_default_str();
 }
 
 knowledge::Domain OntologyArguments::load() const {
     owl::LoadOptions options;
     options.import_folders.assign(import_folders.begin(), import_folders.end());
-    return knowledge::compile(owl::load_ontology(path, options));
+    knowledge::CompileOptions compiling;
+    compiling.diagram = limits;
+    compiling.diagram.memory_limit = diagram_mb << 20;
+    return knowledge::compile(owl::load_ontology(path, options), compiling);
 }
 
 }  // namespace partonomy::app
 
 int main(int argc, char** argv) {
-    // A short process gains nothing from giving memory back in between: one small object takes a fifth fewer page faults.
+    // A short process gains nothing from giving memory back in between: one small object takes a fifth fewer page
+    // faults.
     constexpr int megabyte = 1 << 20;
     ::mallopt(M_MMAP_THRESHOLD, 32 * megabyte);
     ::mallopt(M_TRIM_THRESHOLD, 64 * megabyte);
