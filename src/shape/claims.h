@@ -17,7 +17,7 @@ struct Parts {
 /// board's walls becomes free, and the pieces above and below become sticks of their own.
 void cut_at_boards(const Surface& surface, const Vec3& up, Parts& parts);
 
-/// Frees sticks that are but the thick rim of a board: they lie between its walls, all along it.
+/// Frees parts that are but the thick rim of a board: they lie between its walls, along it, and do not end at it.
 void absorb_rims(const Surface& surface, const Vec3& up, Parts& parts);
 
 /// Boards take the free triangles that lie between their walls, continued: the rim, and the places where another part

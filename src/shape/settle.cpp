@@ -124,7 +124,7 @@ public:
     }
 
 private:
-    /// The triangles of both parts within reach of the border, nearest first but for rounds of the queue.
+    /// The triangles of both parts within reach of the border, along the surface.
     void collect(std::int32_t a, std::int32_t b, const std::vector<std::int32_t>& border, double reach) {
         strip_.clear();
         const auto visit = [&](std::int32_t i, double distance) {
