@@ -59,7 +59,7 @@ Declarations::Declarations() {
             {"string", "normalizedString", "token", "language", "Name", "NCName", "NMTOKEN", "boolean", "hexBinary",
              "base64Binary", "anyURI", "dateTime", "dateTimeStamp", "date", "time"});
     for (const char* name : numeric_datatypes) add(std::string(xsd_prefix) + name, EntityKind::datatype);
-    built_in_ = kinds_;
+    for (auto& [iri, kinds] : kinds_) kinds |= built_in;
 }
 
 bool Declarations::has(const Iri& iri, EntityKind kind) const {
@@ -73,7 +73,8 @@ void Declarations::collect(const Graph& graph, std::vector<Entity>& entities) {
         if (subject.kind != TermKind::iri || graph.terms[triple.predicate].word != Word::rdf_type) continue;
         const std::optional<EntityKind> kind = declared_by(graph.terms[triple.object].word);
         if (!kind) continue;
-        if (built_in_.contains(subject.value) && has(subject.value, *kind)) continue;  // Protégé says so of some
+        const auto known = kinds_.find(subject.value);
+        if (known != kinds_.end() && (known->second & built_in) != 0 && has(subject.value, *kind)) continue;
         add(subject.value, *kind);
         entities.push_back({*kind, subject.value, {graph.file, triple.line}});
         const auto refuse_both = [&](EntityKind one, EntityKind other, const char* what) {

@@ -24,8 +24,8 @@ struct Declarations {
 
 private:
     void add(const Iri& iri, EntityKind kind) { kinds_[iri] |= 1U << static_cast<unsigned>(kind); }
-    std::map<Iri, unsigned> kinds_;
-    std::map<Iri, unsigned> built_in_;
+    static constexpr unsigned built_in = 1U << 8;
+    std::map<Iri, unsigned> kinds_;  ///< a bit for each EntityKind, and built_in
 };
 
 class AnonymousNames;
