@@ -11,8 +11,9 @@
 #include "knowledge/closed_world.h"
 #include "knowledge/data_cells.h"
 
-// Inside the closed-world reasoner: the machine that turns axioms into clauses. Its parts are in closed_names.cpp,
-// closed_atoms.cpp, closed_data.cpp, closed_expressions.cpp, closed_axioms.cpp and closed_rules.cpp.
+// Inside the closed-world reasoner: the machine that turns axioms into clauses. Its parts are in closed_atoms.cpp,
+// closed_expressions.cpp, closed_data_names.cpp, closed_data.cpp, closed_axioms.cpp, closed_properties.cpp and
+// closed_rules.cpp.
 
 namespace partonomy::knowledge::closed {
 

@@ -8,7 +8,6 @@
    or n³ however long it is; one with a clique of k variables costs n to the k. */
 
 #include <algorithm>
-#include <optional>
 
 #include "knowledge/closed_grounder.h"
 #include "owl/words.h"

@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -26,7 +25,7 @@ struct ClosedWorld {
 [[nodiscard]] std::vector<Iri> individuals_of(const owl::Ontology& ontology);
 
 struct GroundOptions {
-    std::size_t max_clauses = 30'000'000;  ///< more are refused: each takes about 30 bytes here and in the solver
+    std::size_t max_clauses = 30'000'000;  ///< more are refused
     /// Above this many names that may be equal, a DifferentIndividuals axiom is taken as given (no selector turns it
     /// off).
     std::size_t max_equalities = 60;
