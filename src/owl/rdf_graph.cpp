@@ -86,6 +86,11 @@ Node Graph::literal(const std::string& value, const std::string& datatype, const
     std::string tag = language;
     std::ranges::transform(tag, tag.begin(),
                            [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+    const auto is_part = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; };
+    if (!tag.empty() && (!std::ranges::all_of(tag, is_part) || tag.front() == '-' || tag.back() == '-')) {
+        throw OntologyError(
+            at(file, 0, between("'", language.substr(0, 40), "' is no language, which would be en or fr-CA")));
+    }
     // Neither a datatype nor a language tag can hold a line break, so that the key is unambiguous.
     const std::string key = "\"" + datatype + "\n" + tag + "\n" + value;
     return intern(key, {TermKind::literal, Word::none, value, datatype, tag});

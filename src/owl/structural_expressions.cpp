@@ -52,6 +52,7 @@ Node StructuralReader::individual(const Construct& construct) {
 
 Node StructuralReader::literal(const Construct& construct) {
     if (construct.kind != Construct::Kind::literal) misplaced(construct, "a literal");
+    if (!construct.datatype.empty()) static_cast<void>(graph_.iri(construct.datatype, construct.line));  // is it one?
     return say_.literal(construct.value, construct.datatype, construct.language);
 }
 

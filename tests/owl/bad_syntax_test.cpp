@@ -198,6 +198,14 @@ TEST(BadOwlXml, Sentences) {
         {owl_xml + "<x xmlns=\"http://other/\"/>" + end, "bad.owl:3: ", "is none of OWL/XML"},
         {owl_xml + "<Ontology/>" + end, "bad.owl:3: ", "inside another"},
         {owl_xml + "<Prefix name=\"e\"/>" + end, "bad.owl:3: ", "Prefix wants the attributes"},
+        {owl_xml +
+             "<Annotation><AnnotationProperty IRI=\"n\"/><Literal datatypeIRI=\"http://e/a "
+             "b\">x</Literal></Annotation>" +
+             end,
+         "bad.owl:3: ", "an IRI cannot hold a space"},
+        {owl_xml + "<Annotation><AnnotationProperty IRI=\"n\"/><Literal xml:lang=\"a b\">x</Literal></Annotation>" +
+             end,
+         "bad.owl: ", "'a b' is no language"},
         {owl_xml + "<Import>http://e/other</Import>" + end, "bad.owl:3: ", "cannot be found"},
         {owl_xml + "<Declaration><Class IRI=\"a b\"/></Declaration>" + end,
          "bad.owl:3: ", "an IRI cannot hold a space"},
