@@ -12,9 +12,7 @@
    always the first counterexample, "none of them holds", ends it. */
 
 #include <algorithm>
-#include <limits>
 
-#include "base/errors.h"
 #include "knowledge/choices.h"
 #include "knowledge/diagram.h"
 #include "knowledge/solver.h"
@@ -138,11 +136,10 @@ void compile_regions(const Theory& theory, const Scope& scope, const DiagramOpti
     for (std::size_t id = 0; id < theory.concepts.size(); ++id)
         if (theory.concepts[id].level == Level::region && scope.concepts[id])
             concepts[id] = region.concept_literal(region.open, id);
-    const Scope& kept = scope;
     const auto is_in_scope = [&](const auto& self, FormulaId id) -> bool {
         const Formula& formula = theory.formulas[id];
-        if (formula.kind == Formula::Kind::choice) return kept.features[formula.index] != 0;
-        if (formula.kind == Formula::Kind::named) return kept.concepts[formula.index] != 0;
+        if (formula.kind == Formula::Kind::choice) return scope.features[formula.index] != 0;
+        if (formula.kind == Formula::Kind::named) return scope.concepts[formula.index] != 0;
         return std::ranges::all_of(formula.operands, [&](FormulaId operand) { return self(self, operand); });
     };
     for (const Formula& formula : theory.formulas)

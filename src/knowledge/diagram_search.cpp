@@ -18,7 +18,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
-#include <limits>
 
 #include "base/errors.h"
 #include "knowledge/diagram_nodes.h"

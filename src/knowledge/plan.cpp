@@ -97,7 +97,6 @@ std::optional<Question> Planner::best(const ConfigurationSet& set) const {
     return best_split(set);
 }
 
-/// The literals of questions that have a cost, and which candidates they are.
 std::optional<Question> Planner::best_compiled(const ConfigurationSet& set, const std::vector<int>& wanted,
                                                bool must_tell) const {
     std::vector<LiteralQuestion> questions;
