@@ -3,10 +3,13 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "app/commands.h"
 #include "base/errors.h"
 #include "base/files.h"
+#include "knowledge/closed_world.h"
 #include "owl/write.h"
 
 namespace partonomy::app {
@@ -15,7 +18,7 @@ namespace {
 struct Arguments {
     OntologyArguments ontology;
     std::string output, format;
-    bool merge_imports = false;
+    bool merge_imports = false, closed = false;
 };
 
 bool is_functional(const Arguments& arguments) {
@@ -31,8 +34,16 @@ int run_export(const Arguments& arguments) {
     const bool functional = is_functional(arguments);
     owl::LoadOptions load;
     load.import_folders.assign(arguments.ontology.import_folders.begin(), arguments.ontology.import_folders.end());
-    const owl::Ontology ontology = owl::load_ontology(arguments.ontology.path, load);
-    const owl::WriteOptions options = {.merge_imports = arguments.merge_imports};
+    owl::Ontology ontology = owl::load_ontology(arguments.ontology.path, load);
+    if (arguments.closed) {
+        std::vector<owl::Iri> individuals = knowledge::individuals_of(ontology);
+        if (individuals.empty())
+            throw UsageError(arguments.ontology.path +
+                             " names no individual, so there is no world to close; --closed is for knowledge bases about "
+                             "named things");
+        ontology = knowledge::closed_ontology({std::move(ontology), std::move(individuals)});
+    }
+    const owl::WriteOptions options = {.merge_imports = arguments.merge_imports || arguments.closed};
     const std::string text = functional ? write_functional(ontology, options) : write_turtle(ontology, options);
     if (arguments.output.empty())
         fmt::print("{}", text);
@@ -53,6 +64,8 @@ void add_export_command(CLI::App& app, Run& run) {
         ->check(CLI::IsMember({"ttl", "functional"}));
     command.add_flag("--merge-imports", arguments->merge_imports,
                      "one self-contained file with the axioms of all imports, instead of owl:imports");
+    command.add_flag("--closed", arguments->closed,
+                     "add what closes the world: the named individuals are all there are, and pairwise different");
     command.callback([arguments, &run] { run = [arguments] { return run_export(*arguments); }; });
 }
 

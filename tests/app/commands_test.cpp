@@ -78,6 +78,20 @@ TEST(Export, ChangesTheSyntaxAndNothingElse) {
     EXPECT_NE(unclear.err.find("cannot tell the format"), std::string::npos) << unclear.err;
 }
 
+TEST(Export, ClosesTheWorldOfNamedIndividuals) {
+    const TemporaryFolder folder;
+    write_file(folder.path() / "in.ofn", "Prefix(:=<http://a.b/c#>) Ontology(<http://a.b/c> Declaration(Class(:Leg))\n"
+                                         "ClassAssertion(:Leg :left) ClassAssertion(:Leg :right))");
+    ASSERT_EQ(run_partonomy({"export", "in.ofn", "--closed", "-o", "out.ofn"}, folder.path()).exit_code, 0);
+    const std::string text = read_file(folder.path() / "out.ofn");
+    EXPECT_NE(text.find("EquivalentClasses(owl:Thing ObjectOneOf("), std::string::npos) << text;
+    EXPECT_NE(text.find("DifferentIndividuals("), std::string::npos) << text;
+    const ProgramResult nobody = run_partonomy({"export", furniture_path(), "--closed"}, folder.path());
+    EXPECT_EQ(nobody.exit_code, 1);
+    EXPECT_NE(nobody.err.find("names no individual"), std::string::npos) << nobody.err;
+    EXPECT_TRUE(nobody.out.empty());
+}
+
 TEST(Tree, JsonAndDot) {
     const TemporaryFolder folder;
     for (const char* criterion : {"dichotomy", "gain-per-cost"}) {
