@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 
 #include "app/commands.h"
@@ -53,7 +54,10 @@ int main(int argc, char** argv) {
     add_catalogue_command(app, run);
     try {
         app.parse(argc, argv);
-        return run();
+        const int code = run();
+        // Everything is written: the system takes the memory back faster than the libraries' destructors give it back.
+        std::fflush(nullptr);
+        std::_Exit(code);
     } catch (const CLI::Success& asked_for_help) {
         return app.exit(asked_for_help);
     } catch (const CLI::Error& error) {

@@ -18,11 +18,14 @@ void for_each_range(std::size_t count, int threads, const std::function<void(std
         work(0, count);
         return;
     }
-    tbb::task_arena arena(threads);
-    arena.execute([&] {
+    const auto all = [&] {
         tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain),
                           [&](const tbb::blocked_range<std::size_t>& range) { work(range.begin(), range.end()); });
-    });
+    };
+    if (threads == most)
+        all();  // an arena of one's own costs more than a small mesh gains
+    else
+        tbb::task_arena(threads).execute(all);
 }
 
 }  // namespace partonomy
