@@ -5,6 +5,7 @@
 
 #include "base/errors.h"
 #include "owl/rdf_graph.h"
+#include "owl/source_text.h"
 
 namespace partonomy::owl {
 namespace {
@@ -18,30 +19,12 @@ bool is_control(char c) { return (static_cast<unsigned char>(c) < ' ' && !is_one
 void OwlLexer::fail(long where, const std::string& sentence) const { throw OntologyError(at(file_, where, sentence)); }
 
 std::string OwlLexer::shown() const {
-    if (kind == OwlToken::end) return "the end of the file";
-    std::size_t length = std::min<std::size_t>(at_ - begin_, 40);
-    if (const auto stop = text_.substr(begin_, length).find('\n'); stop != std::string_view::npos) length = stop;
-    while (length > 0 && begin_ + length < text_.size() && (text_[begin_ + length] & 0xC0) == 0x80) --length;
-    return between("'", std::string(text_.substr(begin_, length)), begin_ + length < at_ ? "…'" : "'");
-}
-
-void OwlLexer::skip_space() {
-    while (at_ < text_.size()) {
-        const char c = text_[at_];
-        if (c == '\n') ++at_line_;
-        if (c == '#') {
-            at_ = std::min(text_.find('\n', at_), text_.size());
-        } else if (is_one_of(c, " \t\r\n")) {
-            ++at_;
-        } else {
-            return;
-        }
-    }
+    return kind == OwlToken::end ? "the end of the file" : quoted_token(text_, begin_, at_);
 }
 
 void OwlLexer::next() {
     if (at_ == 0 && text_.starts_with("\xEF\xBB\xBF")) at_ = 3;
-    skip_space();
+    at_ = skip_blanks(text_, at_, at_line_);
     begin_ = at_;
     line = at_line_;
     text.clear();

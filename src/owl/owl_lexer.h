@@ -37,7 +37,6 @@ public:
 
 private:
     [[nodiscard]] char peek(std::size_t ahead) const { return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0'; }
-    void skip_space();
     void read_iri();
     void read_string();
     void read_language();

@@ -42,7 +42,6 @@ private:
     [[nodiscard]] char peek(std::size_t ahead = 0) const {
         return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0';
     }
-    void skip_space();
     void read_iri();
     void read_string(char quote);
     void read_escape();

@@ -8,6 +8,7 @@
 #include "base/errors.h"
 #include "base/files.h"
 #include "owl/ontology.h"
+#include "owl/refused.h"
 #include "owl/zoo.h"
 
 namespace partonomy::owl {
@@ -26,30 +27,8 @@ const std::string xml_head =
     "<rdf:RDF xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\" xmlns:owl=\"http://www.w3.org/2002/07/owl#\" "
     "xmlns:rdfs=\"http://www.w3.org/2000/01/rdf-schema#\">\n";
 
-std::string sentence(const std::string& text) {
-    try {
-        (void)parse_ontology(text, "bad.ttl");
-    } catch (const OntologyError& error) {
-        return error.what();
-    }
-    return "(no error)";
-}
-
-struct Bad {
-    std::string text;
-    std::string begins;  ///< file and line
-    std::string holds;   ///< a piece of the sentence
-};
-
-void expect_refused(const std::vector<Bad>& cases) {
-    for (const Bad& bad : cases) {
-        SCOPED_TRACE(bad.text.substr(0, 2000));
-        const std::string said = sentence(bad.text);
-        EXPECT_TRUE(said.starts_with(bad.begins)) << said;
-        EXPECT_NE(said.find(bad.holds), std::string::npos) << said;
-        EXPECT_EQ(said.find('\n'), std::string::npos) << said;
-    }
-}
+std::string sentence(const std::string& text) { return owl::sentence(text, "bad.ttl"); }
+void expect_refused(const std::vector<Bad>& cases) { owl::expect_refused(cases, "bad.ttl"); }
 
 TEST(BadInput, TurtleSyntax) {
     expect_refused({

@@ -8,35 +8,14 @@
 #include "base/errors.h"
 #include "base/files.h"
 #include "owl/ontology.h"
+#include "owl/refused.h"
 #include "owl/zoo.h"
 
 namespace partonomy::owl {
 namespace {
 
-std::string sentence(const std::string& text) {
-    try {
-        (void)parse_ontology(text, "bad.owl");
-    } catch (const OntologyError& error) {
-        return error.what();
-    }
-    return "(no error)";
-}
-
-struct Bad {
-    std::string text;
-    std::string begins;  ///< file and line
-    std::string holds;   ///< a piece of the sentence
-};
-
-void expect_refused(const std::vector<Bad>& cases) {
-    for (const Bad& bad : cases) {
-        SCOPED_TRACE(bad.text.substr(0, 1000));
-        const std::string said = sentence(bad.text);
-        EXPECT_TRUE(said.starts_with(bad.begins)) << said;
-        EXPECT_NE(said.find(bad.holds), std::string::npos) << said;
-        EXPECT_EQ(said.find('\n'), std::string::npos) << said;
-    }
-}
+std::string sentence(const std::string& text) { return owl::sentence(text, "bad.owl"); }
+void expect_refused(const std::vector<Bad>& cases) { owl::expect_refused(cases, "bad.owl"); }
 
 /// What a test adds begins on line 3.
 const std::string functional =
