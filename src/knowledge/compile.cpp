@@ -1,11 +1,11 @@
 #include <algorithm>
 
 #include "base/errors.h"
-#include "knowledge/theory.h"
+#include "knowledge/assembly.h"
 
 // The road from an ontology to its configuration spaces: levels and formulas (theory.cpp), the space of one region
-// (region_space.cpp), the classes of parts that objects count and the space of one object (object_space.cpp); then what
-// the expert should know about it. A space only holds what the axioms allow; what an Incompatible concept forbids stays
+// (region_space.cpp), what composite parts there are and what objects count (assembly.cpp), the space of one object
+// (object_space.cpp); then what the expert should know about it. A space only holds what the axioms allow; what an Incompatible concept forbids stays
 // in it and is left out of `possible`, so that an impossible object can be recognised and explained. Furniture takes
 // about 1 ms: 2 ranges of 5 words and a few hundred object configurations.
 
@@ -29,9 +29,9 @@ std::string main_file(const owl::Ontology& ontology) {
         const Layer regions = build_regions(theory, scope, options);
         bool empty = regions.space.size == 0;
         if (!empty && level == Level::object) {
-            const Parts parts = find_parts(theory, scope, regions);
-            empty = build_objects(theory, scope, parts,
-                                  with_any_more(parts, {0}, types_within(parts, regions.space.all()), limit), limit)
+            const Assembly assembly = assemble(theory, scope, regions, limit);
+            empty = build_objects(theory, scope, {}, assembly.parts,
+                                  possible_counts(theory, assembly, regions.space.all(), false, limit), limit)
                         .layer.space.size == 0;
         }
         const owl::Axiom& axiom = ontology.axioms[constraint.axiom];
@@ -67,7 +67,7 @@ ConfigurationSet blurred(const Space& space, const ConfigurationSet& set) {
     return result;
 }
 
-void finish_space(const Theory& theory, const Scope& scope, Level level, const Layer& layer, Space& space) {
+void finish_space(const Theory& theory, const Scope& scope, Subject subject, const Layer& layer, Space& space) {
     space = layer.space;
     space.possible = space.all();
     const bool has_primitives = std::ranges::any_of(
@@ -76,7 +76,7 @@ void finish_space(const Theory& theory, const Scope& scope, Level level, const L
     if (has_primitives && space.diagram) proved = provable_regions(theory, scope);
     for (std::size_t id = 0; id < theory.concepts.size(); ++id) {
         const NamedConcept& named = theory.concepts[id];
-        if (named.level != level) continue;
+        if (!subject.has(named)) continue;
         const ConfigurationSet& where = layer.concepts[id];
         bool provable = where.is_empty() ? named.definition >= 0 : true;
         if (has_primitives && provable && space.diagram)
@@ -122,6 +122,22 @@ void lint(const Theory& theory, const Space& space, const std::string& what, std
     }
 }
 
+void finish_composites(const Grounding& grounding, Domain& domain) {
+    for (std::size_t g = 0; g < domain.composites.size(); ++g) {
+        const CompositeLayer& made = grounding.assembly.composites[g];
+        CompositeSpace& composite = domain.composites[g];
+        composite.regions = made.regions;
+        for (const int inner : grounding.theory.groups[g].inner)
+            composite.layer = std::max(composite.layer, domain.composites[static_cast<std::size_t>(inner)].layer + 1);
+        std::vector<const ConfigurationSet*> conditions{&made.regions};
+        for (const Parts::PartClass& part : made.parts.classes) conditions.push_back(&part.where);
+        for (const ConfigurationSet* condition : conditions)
+            if (!condition->is_empty() &&
+                std::ranges::find(domain.composite_conditions, *condition) == domain.composite_conditions.end())
+                domain.composite_conditions.push_back(*condition);
+    }
+}
+
 }  // namespace
 
 Domain compile(owl::Ontology ontology, const CompileOptions& options) {
@@ -140,28 +156,33 @@ Domain compile(owl::Ontology ontology, const CompileOptions& options) {
         const std::size_t limit = options.configuration_limit;
         regions = build_regions(theory, scope, options);
         if (regions.space.size == 0) refuse_inconsistent(ontology, theory, Level::region, options);
-        finish_space(theory, scope, Level::region, regions, domain.regions);
-        grounding->parts = find_parts(theory, scope, regions);
-        const Parts& parts = grounding->parts;
-        grounding->objects = build_objects(
-            theory, scope, parts, with_any_more(parts, {0}, types_within(parts, regions.space.all()), limit), limit);
+        finish_space(theory, scope, {Level::region, -1}, regions, domain.regions);
+        grounding->assembly = assemble(theory, scope, regions, limit);
+        const Assembly& assembly = grounding->assembly;
+        for (std::size_t g = 0; g < assembly.composites.size(); ++g)
+            finish_space(theory, scope, {Level::composite, static_cast<int>(g)}, assembly.composites[g].objects.layer,
+                         domain.composites.emplace_back().space);
+        const Parts& parts = assembly.parts;
+        grounding->objects = build_objects(theory, scope, {}, parts,
+                                           possible_counts(theory, assembly, regions.space.all(), false, limit), limit);
         const ObjectLayer& objects = grounding->objects;
         if (objects.layer.space.size == 0) refuse_inconsistent(ontology, theory, Level::object, options);
-        prepare_beyond(parts, grounding->objects);
-        finish_space(theory, scope, Level::object, objects.layer, domain.objects);
-        if (domain.regions.possible != domain.regions.all())
+        if (!assembly.has_composites()) prepare_beyond(parts, grounding->objects);
+        finish_space(theory, scope, {}, objects.layer, domain.objects);
+        if (domain.regions.possible != domain.regions.all() || assembly.has_composites())
             domain.objects.possible &=
-                objects.of(with_any_more(parts, {0}, types_within(parts, domain.regions.possible), limit));
+                objects.of(possible_counts(theory, assembly, domain.regions.possible, true, limit));
     } catch (const OntologyError& error) {
         const std::string sentence = error.what();
         const bool placed = sentence.find(": ") != std::string::npos;
         throw OntologyError(placed ? sentence : at(file, 0, sentence + "."));
     }
+    const Parts& parts = grounding->assembly.parts;
     for (const Variable& variable : domain.objects.variables)
-        domain.part_conditions.push_back(
-            variable.kind == VariableKind::parts
-                ? grounding->parts.classes[grounding->parts.atoms[domain.part_conditions.size()].part].where
-                : domain.regions.none());
+        domain.part_conditions.push_back(variable.kind == VariableKind::parts
+                                             ? parts.classes[parts.atoms[domain.part_conditions.size()].part].where
+                                             : domain.regions.none());
+    finish_composites(*grounding, domain);
     domain.ranges = theory.ranges;
     domain.numbers = theory.numbers;
     domain.warnings = theory.warnings;
@@ -173,6 +194,8 @@ Domain compile(owl::Ontology ontology, const CompileOptions& options) {
         if (range.values.empty())
             domain.warnings.push_back(owl::local_name(range.iri) + " has no values; put classes below it.");
     lint(theory, domain.regions, "region", domain.warnings);
+    for (const CompositeSpace& composite : domain.composites)
+        lint(theory, composite.space, "composite part", domain.warnings);
     lint(theory, domain.objects, "object", domain.warnings);
     domain.ontology = std::move(ontology);
     domain.grounding = std::move(grounding);

@@ -143,7 +143,8 @@ void compile_regions(const Theory& theory, const Scope& scope, const DiagramOpti
         return std::ranges::all_of(formula.operands, [&](FormulaId operand) { return self(self, operand); });
     };
     for (const Formula& formula : theory.formulas)
-        if (formula.kind == Formula::Kind::parts && is_in_scope(is_in_scope, formula.index))
+        if (formula.kind == Formula::Kind::parts && formula.part_level == Level::region &&
+            is_in_scope(is_in_scope, formula.index))
             (void)region.literal(region.open, formula.index);
     std::vector<std::vector<int>> up_to(theory.feature_count());
     for (std::size_t f = theory.ranges.size(); f < theory.feature_count(); ++f)

@@ -1,13 +1,13 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "knowledge/explain.h"
-#include "knowledge/theory.h"
+#include "knowledge/assembly.h"
 
 // Answers cut the set of each region; the sets of the regions cut what the object can be. The second step is exact and
 // cheap: the parts of an object only matter by their types, so each region adds one of the types that it may still have
 // to the vectors of counts reached so far (object_space.cpp). Regions whose type is known come first and keep that set
-// at one vector.
+// at one vector. Where the ontology has composite parts, regions are put together first (put_together.cpp); while more
+// regions may turn up, or there are too many ways, composite parts stay open.
 
 namespace partonomy::knowledge {
 
@@ -28,7 +28,30 @@ Conclusions conclude(const Domain& domain, const Knowledge& knowledge) {
         else
             set -= yes_set(domain.regions, answer.question);
     }
-    conclusions.object = conclude_object(domain, conclusions.regions, knowledge.complete);
+    return conclude_object(domain, knowledge, std::move(conclusions.regions));
+}
+
+Conclusions conclude_object(const Domain& domain, const Knowledge& knowledge, std::vector<ConfigurationSet> regions) {
+    if (!domain.grounding) throw std::invalid_argument("conclude_object: the domain was not compiled");
+    Conclusions conclusions;
+    conclusions.regions = std::move(regions);
+    const Grounding& grounding = *domain.grounding;
+    const Parts& parts = grounding.assembly.parts;
+    const ObjectLayer& objects = grounding.objects;
+    if (grounding.assembly.has_composites()) {
+        std::optional<Assembled> assembled;
+        if (knowledge.complete)
+            assembled = put_together(grounding.theory, grounding.assembly, domain.regions.all(), conclusions.regions,
+                                     knowledge.connected);
+        conclusions.object = objects.of(
+            assembled ? assembled->counts
+                      : with_any_composites(parts, objects.counts, reachable_counts(parts, conclusions.regions),
+                                            !knowledge.complete));
+        if (assembled) conclusions.composites = std::move(assembled->composites);
+    } else {
+        const std::vector<Counts> counts = reachable_counts(parts, conclusions.regions);
+        conclusions.object = knowledge.complete ? objects.of(counts) : with_more_parts(parts, objects, counts);
+    }
 
     conclusions.contradiction = conclusions.object.is_empty();
     for (const ConfigurationSet& region : conclusions.regions) {
@@ -37,20 +60,17 @@ Conclusions conclude(const Domain& domain, const Knowledge& knowledge) {
             if (domain.regions.concepts[id].incompatible)
                 conclusions.diagnoses.push_back(domain.regions.concepts[id].iri);
     }
+    for (const CompositePart& composite : conclusions.composites) {
+        const Space& space = domain.composites[static_cast<std::size_t>(composite.group)].space;
+        for (const ConceptId id : entailed(space, composite.possible))
+            if (space.concepts[id].incompatible) conclusions.diagnoses.push_back(space.concepts[id].iri);
+    }
     for (const ConceptId id : entailed(domain.objects, conclusions.object))
         if (domain.objects.concepts[id].incompatible) conclusions.diagnoses.push_back(domain.objects.concepts[id].iri);
     std::ranges::sort(conclusions.diagnoses);
     conclusions.diagnoses.erase(std::unique(conclusions.diagnoses.begin(), conclusions.diagnoses.end()),
                                 conclusions.diagnoses.end());
     return conclusions;
-}
-
-ConfigurationSet conclude_object(const Domain& domain, const std::vector<ConfigurationSet>& regions, bool complete) {
-    if (!domain.grounding) throw std::invalid_argument("conclude_object: the domain was not compiled");
-    const Parts& parts = domain.grounding->parts;
-    const ObjectLayer& objects = domain.grounding->objects;
-    const std::vector<Counts> counts = reachable_counts(parts, regions);
-    return complete ? objects.of(counts) : with_more_parts(parts, objects, counts);
 }
 
 std::vector<ConceptId> entailed(const Space& space, const ConfigurationSet& set) {

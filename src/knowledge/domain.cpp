@@ -8,39 +8,84 @@
 namespace partonomy::knowledge {
 namespace {
 
-const Concept* find_concept(const Domain& domain, const Iri& iri) {
-    for (const Space* space : {&domain.regions, &domain.objects})
-        if (const std::optional<ConceptId> id = space->find(iri)) return &space->concepts[*id];
-    return nullptr;
+/// What concepts are about.
+enum class Sort { region, composite, object };
+
+const char* top_of(Sort sort) {
+    return sort == Sort::region ? "Region" : sort == Sort::composite ? "CompositePart" : "Object";
+}
+
+std::vector<const Space*> spaces_of(const Domain& domain, Sort sort) {
+    if (sort == Sort::region) return {&domain.regions};
+    if (sort == Sort::object) return {&domain.objects};
+    std::vector<const Space*> spaces;
+    for (const CompositeSpace& composite : domain.composites) spaces.push_back(&composite.space);
+    return spaces;
+}
+
+constexpr Sort all_sorts[] = {Sort::region, Sort::composite, Sort::object};
+
+std::optional<Sort> sort_of(const Domain& domain, const Iri& iri) {
+    for (const Sort sort : all_sorts)
+        for (const Space* space : spaces_of(domain, sort))
+            if (space->find(iri)) return sort;
+    return std::nullopt;
+}
+
+/// Where the concept holds, in a space of its sort; nothing where the space has not heard of it.
+ConfigurationSet where_in(const Space& space, const Iri& iri) {
+    const std::optional<ConceptId> id = space.find(iri);
+    return id ? space.concepts[*id].where : space.none();
+}
+
+bool is_incompatible(const Domain& domain, const Iri& iri) {
+    for (const Sort sort : all_sorts)
+        for (const Space* space : spaces_of(domain, sort))
+            if (const std::optional<ConceptId> id = space->find(iri)) return space->concepts[*id].incompatible;
+    return false;
 }
 
 /// Whether every `a` is a `b`, for different names.
 bool is_below(const Domain& domain, const Iri& a, const Iri& b) {
-    const int layer = domain.layer(a);
-    const Concept *sub = find_concept(domain, a), *super = find_concept(domain, b);
-    if (sub != nullptr && super != nullptr) return layer == domain.layer(b) && sub->where.is_subset_of(super->where);
-    const Space& space = layer == 1 ? domain.regions : domain.objects;
-    if (sub != nullptr) {
-        if (b == core_term("Incompatible")) {
-            ConfigurationSet rest = sub->where;
-            for (const Concept& each : space.concepts)
+    const std::optional<Sort> sub = sort_of(domain, a), super = sort_of(domain, b);
+    if (sub && super)
+        return *sub == *super && std::ranges::all_of(spaces_of(domain, *sub), [&](const Space* space) {
+                   return where_in(*space, a).is_subset_of(where_in(*space, b));
+               });
+    if (sub) {
+        if (b != core_term("Incompatible")) return b == core_term(top_of(*sub));
+        return std::ranges::all_of(spaces_of(domain, *sub), [&](const Space* space) {
+            ConfigurationSet rest = where_in(*space, a);
+            for (const Concept& each : space->concepts)
                 if (each.incompatible) rest -= each.where;
             return rest.is_empty();
-        }
-        return (layer == 1 && b == core_term("Region")) || (layer == 2 && b == core_term("Object"));
+        });
     }
-    if (super != nullptr) {
-        const bool about_same =
-            (a == core_term("Region") && domain.layer(b) == 1) || (a == core_term("Object") && domain.layer(b) == 2);
-        const Space& about = domain.layer(b) == 1 ? domain.regions : domain.objects;
-        return about_same && about.all().is_subset_of(super->where);
-    }
+    if (super)
+        return a == core_term(top_of(*super)) && std::ranges::all_of(spaces_of(domain, *super), [&](const Space* space) {
+                   return space->all().is_subset_of(where_in(*space, b));
+               });
     for (const RangeConcept& range : domain.ranges) {
         const bool is_value = std::ranges::any_of(range.values, [&](const auto& value) { return value.iri == a; });
         if (is_value && (b == range.iri || b == core_term("Feature"))) return true;
         if (a == range.iri && b == core_term("Feature")) return true;
     }
     return false;
+}
+
+/// Every name that the spaces of a sort know, sorted.
+std::vector<Iri> names_of(const Domain& domain, Sort sort) {
+    std::vector<Iri> names;
+    for (const Space* space : spaces_of(domain, sort))
+        for (const Concept& each : space->concepts) names.push_back(each.iri);
+    std::ranges::sort(names);
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    return names;
+}
+
+bool is_unsatisfiable(const Domain& domain, Sort sort, const Iri& iri) {
+    return std::ranges::all_of(spaces_of(domain, sort),
+                               [&](const Space* space) { return where_in(*space, iri).is_empty(); });
 }
 
 }  // namespace
@@ -77,17 +122,24 @@ std::optional<VariableId> Space::find_variable(const Iri& iri) const {
 
 int Domain::layer(const Iri& iri) const {
     if (regions.find(iri)) return 1;
-    if (objects.find(iri)) return 2;
+    for (const CompositeSpace& composite : composites)
+        if (composite.space.find(iri)) return composite.layer;
+    if (objects.find(iri)) return object_layer();
     for (const RangeConcept& range : ranges)
         if (range.iri == iri || std::ranges::any_of(range.values, [&](const auto& value) { return value.iri == iri; }))
             return 0;
     return -1;
 }
 
+int Domain::object_layer() const {
+    int highest = 1;
+    for (const CompositeSpace& composite : composites) highest = std::max(highest, composite.layer);
+    return highest + 1;
+}
+
 std::vector<Iri> Domain::most_specific(const std::vector<Iri>& iris) const {
     const auto is_diagnosis = [&](const Iri& iri) {
-        const Concept* found = find_concept(*this, iri);
-        return iri == core_term("Incompatible") || (found != nullptr && found->incompatible);
+        return iri == core_term("Incompatible") || is_incompatible(*this, iri);
     };
     std::vector<Iri> kept;
     for (const Iri& iri : iris) {
@@ -109,16 +161,22 @@ std::vector<std::pair<Iri, Iri>> Domain::hierarchy() const {
             pairs.emplace_back(value.iri, core_term("Feature"));
         }
     }
-    for (const Space* space : {&regions, &objects}) {
-        const Iri top = core_term(space == &regions ? "Region" : "Object");
-        const ConfigurationSet all = space->all();
-        for (const Concept& a : space->concepts) {
-            if (a.where.is_empty()) continue;
-            pairs.emplace_back(a.iri, top);
-            if (all.is_subset_of(a.where)) pairs.emplace_back(top, a.iri);
-            if (is_below(*this, a.iri, core_term("Incompatible"))) pairs.emplace_back(a.iri, core_term("Incompatible"));
-            for (const Concept& b : space->concepts)
-                if (a.iri != b.iri && a.where.is_subset_of(b.where)) pairs.emplace_back(a.iri, b.iri);
+    for (const Sort sort : all_sorts) {
+        const Iri top = core_term(top_of(sort));
+        const std::vector<const Space*> spaces = spaces_of(*this, sort);
+        const auto is_everywhere_below = [&](const auto& below) { return std::ranges::all_of(spaces, below); };
+        const std::vector<Iri> names = names_of(*this, sort);
+        for (const Iri& a : names) {
+            if (is_unsatisfiable(*this, sort, a)) continue;
+            pairs.emplace_back(a, top);
+            if (is_everywhere_below([&](const Space* space) { return space->all().is_subset_of(where_in(*space, a)); }))
+                pairs.emplace_back(top, a);
+            if (is_below(*this, a, core_term("Incompatible"))) pairs.emplace_back(a, core_term("Incompatible"));
+            for (const Iri& b : names)
+                if (a != b && is_everywhere_below([&](const Space* space) {
+                        return where_in(*space, a).is_subset_of(where_in(*space, b));
+                    }))
+                    pairs.emplace_back(a, b);
         }
     }
     std::ranges::sort(pairs);
@@ -127,9 +185,9 @@ std::vector<std::pair<Iri, Iri>> Domain::hierarchy() const {
 
 std::vector<Iri> Domain::unsatisfiable() const {
     std::vector<Iri> names;
-    for (const Space* space : {&regions, &objects})
-        for (const Concept& each : space->concepts)
-            if (each.where.is_empty()) names.push_back(each.iri);
+    for (const Sort sort : all_sorts)
+        for (const Iri& iri : names_of(*this, sort))
+            if (is_unsatisfiable(*this, sort, iri)) names.push_back(iri);
     std::ranges::sort(names);
     return names;
 }

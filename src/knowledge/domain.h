@@ -56,7 +56,7 @@ enum class VariableKind {
     range,      ///< one value of a range concept
     number,     ///< one interval of a measured property
     primitive,  ///< a named concept without sufficient conditions: holds or not, no question can tell
-    parts,      ///< of an object: has it at least `threshold` parts of a class
+    parts,      ///< of an object or a composite part: has it at least `threshold` parts of a class
 };
 
 /// A feature of a region or of an object with its finitely many values; exactly one holds.
@@ -68,6 +68,7 @@ struct Variable {
     int index = -1;                ///< into Domain::ranges or Domain::numbers, for those kinds
     owl::ClassPointer part_class;  ///< for `parts`
     unsigned threshold = 0;        ///< for `parts`
+    bool of_composites = false;    ///< for `parts`: the class is one of composite parts
     bool answerable = true;        ///< false for `primitive`, and for a `number` that has no core:measure
 };
 
@@ -100,7 +101,15 @@ struct Space {
     [[nodiscard]] std::string product_text() const;  ///< exact, however large
 };
 
-/// The axioms in the form in which they are evaluated; for compile, conclude and explain only (theory.h).
+/// Composite parts of one kind. Each is a largest connected set of regions that are in `regions`, or in composite parts
+/// of lower layers that its concepts speak of (docs/ontology-meaning.md).
+struct CompositeSpace {
+    Space space;               ///< over its `parts` variables
+    int layer = 2;             ///< 2: made of regions only; one more than the highest layer that it is made of
+    ConfigurationSet regions;  ///< configurations of a region that belongs to such a composite part by itself
+};
+
+/// The axioms in the form in which they are evaluated; for compile, conclude and explain only (assembly.h).
 struct Grounding;
 
 /// What an ontology means for one domain: elementary concepts, and a space for each layer.
@@ -109,13 +118,18 @@ struct Domain {
     std::vector<RangeConcept> ranges;
     std::vector<MeasuredProperty> numbers;
     Space regions;  ///< layer S1: the configurations of one region
-    Space objects;  ///< layer S2: the configurations of one object, over its `parts` variables
+    std::vector<CompositeSpace> composites;  ///< each after those that it is made of; mostly none
+    Space objects;  ///< the highest layer (S2 without composite parts): one object, over its `parts` variables
     /// For each variable of `objects` the configurations of a region that count as such a part; same order. Empty set
-    /// for primitive concepts.
+    /// for primitive concepts and classes of composite parts.
     std::vector<ConfigurationSet> part_conditions;
-    /// Named concepts over S0 are in layer 1, those over hasPart in layer 2; range concepts and their values in layer
-    /// 0; -1 for anything else.
+    /// Configurations of a region on which composite parts hang, what belongs to them and what they count; without
+    /// repetition.
+    std::vector<ConfigurationSet> composite_conditions;
+    /// Range concepts and their values are in layer 0, named concepts over S0 in layer 1, those of composite parts in
+    /// layer 2 or above, those of objects in object_layer(); -1 for anything else.
     [[nodiscard]] int layer(const Iri& iri) const;
+    [[nodiscard]] int object_layer() const;
     /// Most specific of `iris`: those without a strict subclass among them; equivalent ones stay together. A diagnosis
     /// hides diagnoses only: a Chair that is FootIncompatibleFurnitures is both (paper Fig. 14).
     [[nodiscard]] std::vector<Iri> most_specific(const std::vector<Iri>& iris) const;

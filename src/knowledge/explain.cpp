@@ -5,7 +5,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "knowledge/theory.h"
+#include "knowledge/assembly.h"
 
 // A minimal explanation by deletion: take one thing away; if the conclusion still follows, it was not needed. Each test
 // looks at the cone of the goal only: the concepts and features that the axioms still kept lead to. A class whose
@@ -43,10 +43,29 @@ public:
         if (goal_ >= 0 && theory_.concepts[goal_].level == Level::region)
             return std::ranges::any_of(
                 sets, [&](const auto& set) { return !set.is_empty() && set.is_subset_of(regions.concepts[goal_]); });
-        const Parts parts = find_parts(theory_, scope, regions);
-        std::vector<Counts> counts = reachable_counts(parts, sets);
-        if (!complete) counts = with_any_more(parts, counts, types_within(parts, regions.space.all()), limit);
-        const ObjectLayer objects = build_objects(theory_, scope, parts, std::move(counts), limit);
+        const Assembly assembly = assemble(theory_, scope, regions, limit);
+        const Parts& parts = assembly.parts;
+        std::vector<Counts> counts;
+        if (assembly.has_composites()) {
+            std::optional<Assembled> assembled;
+            if (complete) assembled = put_together(theory_, assembly, regions.space.all(), sets, knowledge_.connected);
+            if (goal_ >= 0 && theory_.concepts[goal_].level == Level::composite)
+                return assembled && std::ranges::any_of(assembled->composites, [&](const CompositePart& composite) {
+                           const Layer& layer =
+                               assembly.composites[static_cast<std::size_t>(composite.group)].objects.layer;
+                           return !composite.possible.is_empty() &&
+                                  composite.possible.is_subset_of(layer.concepts[goal_]);
+                       });
+            counts = assembled
+                         ? std::move(assembled->counts)
+                         : with_any_composites(
+                               parts, possible_counts(theory_, assembly, regions.space.all(), false, limit),
+                               reachable_counts(parts, sets), !complete);
+        } else {
+            counts = reachable_counts(parts, sets);
+            if (!complete) counts = with_any_more(parts, counts, types_within(parts, regions.space.all()), limit);
+        }
+        const ObjectLayer objects = build_objects(theory_, scope, {}, parts, std::move(counts), limit);
         const std::size_t size = objects.layer.space.size;
         return goal_ < 0 ? size == 0 : size > 0 && objects.layer.concepts[goal_].count() == size;
     }
@@ -90,6 +109,11 @@ bool is_entailed(const Domain& domain, const Conclusions& conclusions, const Iri
         return id && !set.is_empty() && set.is_subset_of(space.concepts[*id].where);
     };
     return follows(domain.objects, conclusions.object) ||
+           std::ranges::any_of(conclusions.composites,
+                               [&](const CompositePart& composite) {
+                                   return follows(domain.composites[static_cast<std::size_t>(composite.group)].space,
+                                                  composite.possible);
+                               }) ||
            std::ranges::any_of(conclusions.regions, [&](const auto& set) { return follows(domain.regions, set); });
 }
 
@@ -145,7 +169,7 @@ Explanation explain(const Domain& domain, const Knowledge& knowledge, const Iri&
 std::vector<int> culprits(const Domain& domain, const Knowledge& knowledge, const Iri& concept_iri) {
     const Conclusions conclusions = conclude(domain, knowledge);
     const Theory& theory = domain.grounding->theory;
-    const Parts& parts = domain.grounding->parts;
+    const Parts& parts = domain.grounding->assembly.parts;
     const auto members = [&](const ConfigurationSet& where) {
         std::vector<int> regions;
         for (std::size_t r = 0; r < conclusions.regions.size(); ++r)
@@ -155,16 +179,38 @@ std::vector<int> culprits(const Domain& domain, const Knowledge& knowledge, cons
     };
     if (const std::optional<ConceptId> id = domain.regions.find(concept_iri))
         return members(domain.regions.concepts[*id].where);
+    std::set<int> blamed;
+    const auto blame_composites = [&](unsigned threshold, const auto& where_in_group) {
+        std::vector<int> regions;
+        unsigned count = 0;
+        for (const CompositePart& composite : conclusions.composites) {
+            const ConfigurationSet where = where_in_group(static_cast<std::size_t>(composite.group));
+            if (where.size() == 0 || composite.possible.is_empty() || !composite.possible.is_subset_of(where)) continue;
+            std::ranges::copy(composite.regions, std::back_inserter(regions));
+            ++count;
+        }
+        if (count >= threshold) blamed.insert(regions.begin(), regions.end());
+    };
     const int id = theory.find(concept_iri);
-    if (id < 0 || theory.concepts[id].definition < 0) return {};
+    if (id >= 0 && theory.concepts[id].level == Level::composite)
+        blame_composites(1, [&](std::size_t group) {
+            const Space& space = domain.composites[group].space;
+            const std::optional<ConceptId> found = space.find(concept_iri);
+            return found ? space.concepts[*found].where : ConfigurationSet();
+        });
+    if (id < 0 || theory.concepts[id].level != Level::object || theory.concepts[id].definition < 0)
+        return {blamed.begin(), blamed.end()};
     std::vector<FormulaId> atoms;
     wanted_parts(theory, theory.concepts[id].definition, true, atoms);
-    std::set<int> blamed;
     for (const FormulaId formula : atoms) {
         if (parts.atom_of[formula] < 0) continue;
         const Parts::Atom& atom = parts.atoms[parts.atom_of[formula]];
-        const std::vector<int> regions = members(parts.classes[atom.part].where);
-        if (regions.size() >= atom.threshold) blamed.insert(regions.begin(), regions.end());
+        const Parts::PartClass& part = parts.classes[atom.part];
+        const std::vector<int> regions = members(part.where);
+        if (part.composites.empty() && regions.size() >= atom.threshold) blamed.insert(regions.begin(), regions.end());
+        blame_composites(atom.threshold, [&](std::size_t group) {
+            return group < part.composites.size() ? part.composites[group] : ConfigurationSet();
+        });
     }
     return {blamed.begin(), blamed.end()};
 }

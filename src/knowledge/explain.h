@@ -19,14 +19,24 @@ struct Knowledge {
     int region_count = 0;
     bool complete = false;  ///< every part of the object is among the regions
     std::vector<Answer> answers;
+    /// Pairs of regions that touch; others do not. Only looked at where the ontology has composite parts.
+    std::vector<std::pair<int, int>> connected = {};
+};
+
+/// A composite part of one mesh: which regions make it up, and what it can still be.
+struct CompositePart {
+    int group = -1;             ///< into Domain::composites
+    std::vector<int> regions;   ///< ascending
+    ConfigurationSet possible;  ///< of its space
 };
 
 /// What follows from knowledge, layer by layer.
 struct Conclusions {
     std::vector<ConfigurationSet> regions;  ///< per region: what is still possible (empty: contradiction)
     ConfigurationSet object;                ///< what is still possible for the object (incompatible ones included)
+    std::vector<CompositePart> composites;  ///< that there are in any case; by group, then by regions
     bool contradiction = false;             ///< some set is empty: answers and axioms cannot all hold
-    std::vector<Iri> diagnoses;  ///< incompatible concepts that the object, or a region, is entailed to be; sorted
+    std::vector<Iri> diagnoses;  ///< incompatible concepts that the object or a part of it is entailed to be; sorted
 };
 
 /// Propagates answers to part counts and part counts to the object, exactly: an object configuration remains when some
@@ -34,9 +44,10 @@ struct Conclusions {
 /// realises it. Throws std::invalid_argument for an answer about a region or a question that there is not.
 [[nodiscard]] Conclusions conclude(const Domain& domain, const Knowledge& knowledge);
 
-/// The second half of conclude(): what is still possible for an object, given what is possible for each of its regions.
-[[nodiscard]] ConfigurationSet conclude_object(const Domain& domain, const std::vector<ConfigurationSet>& regions,
-                                               bool complete);
+/// The second half of conclude(): what follows when `regions` are what is possible for each of the regions; the answers
+/// play no role.
+[[nodiscard]] Conclusions conclude_object(const Domain& domain, const Knowledge& knowledge,
+                                          std::vector<ConfigurationSet> regions);
 
 /// Concepts of a layer that hold in every remaining configuration; none when none remains.
 [[nodiscard]] std::vector<ConceptId> entailed(const Space& space, const ConfigurationSet& set);

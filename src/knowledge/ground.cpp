@@ -1,6 +1,7 @@
 #include "knowledge/ground.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/errors.h"
 
@@ -17,6 +18,10 @@ using owl::AxiomKind;
 using owl::ClassExpression;
 using owl::ClassKind;
 using Kind = Formula::Kind;
+
+const char* kind_of(Level level) {
+    return level == Level::region ? "a region" : level == Level::composite ? "a composite part" : "an object";
+}
 
 /// Whether a count that is 1 (`in`) or 0 satisfies the cardinality.
 bool satisfies(ClassKind kind, std::uint32_t number, unsigned count) {
@@ -131,11 +136,11 @@ FormulaId Grounder::ground_name(const Iri& iri, Level level, const Axiom& axiom)
                                 : "write it behind the property that leads to it");
     }
     if (found->second != level)
-        refuse(axiom,
-               name + (level == Level::object ? " is a region where an object is meant"
-                                              : " is an object where a region is meant"),
-               level == Level::object ? "write hasPart some " + name : "describe a region by its features");
-    if (iri == core_term("Region") || iri == core_term("Object")) return 0;
+        refuse(axiom, name + " is " + kind_of(found->second) + " where " + kind_of(level) + " is meant",
+               found->second < level    ? "write hasPart some " + name
+               : level == Level::region ? "describe a region by its features"
+                                        : "describe a composite part by its parts");
+    if (iri == core_term("Region") || iri == core_term("Object") || iri == core_term("CompositePart")) return 0;
     return named(theory_.find(iri));
 }
 
@@ -228,20 +233,28 @@ FormulaId Grounder::ground_number(const ClassExpression& expression, const Axiom
     return choice(feature, when_in ? in : in.complement());
 }
 
-FormulaId Grounder::ground_parts(const ClassExpression& expression, const Axiom& axiom) {
+FormulaId Grounder::ground_parts(const ClassExpression& expression, Level level, const Axiom& axiom) {
     static const auto anything = [] {
         auto thing = std::make_shared<ClassExpression>();
         thing->iri = "http://www.w3.org/2002/07/owl#Thing";
         return owl::ClassPointer(thing);
     }();
     owl::ClassPointer filler = expression.operands.empty() ? anything : expression.operands[0];
+    const Level told = level_of(*filler, levels_, theory_.ranges);
+    const Level part_level = told == Level::whole || told == Level::composite ? Level::composite : Level::region;
+    if (level == Level::composite && told == Level::whole)
+        refuse(axiom, "which composite parts \"" + to_manchester(*filler) + "\" looks for is not told",
+               "define a concept by these parts, and write its name");
+    const bool is_mention = std::exchange(outside_parts_, false);
+    if (is_mention && level == Level::composite) mentions_.emplace_back(ground(filler, part_level, axiom), part_level);
     if (expression.kind == ClassKind::all_values_from) {
         auto complement = std::make_shared<ClassExpression>();
         complement->kind = ClassKind::complement_of;
         complement->operands = {filler};
         filler = complement;
     }
-    const FormulaId part = ground(filler, Level::region, axiom);
+    const FormulaId part = ground(filler, part_level, axiom);
+    outside_parts_ = is_mention;
     const auto at_least = [&](unsigned threshold) {
         if (threshold == 0) return 0;
         if (part == 1) return 1;
@@ -250,6 +263,7 @@ FormulaId Grounder::ground_parts(const ClassExpression& expression, const Axiom&
         formula.index = part;
         formula.threshold = threshold;
         formula.part_class = filler;
+        formula.part_level = part_level;
         return add(std::move(formula));
     };
     if (expression.number == UINT32_MAX) refuse(axiom, "the cardinality is too large", "write a smaller one");
@@ -301,15 +315,17 @@ FormulaId Grounder::ground(const owl::ClassPointer& pointer, Level level, const 
                "declare " + property + " functional with a class below core:Feature as its range");
     const bool of_parts = expression.property.iri == core_term("hasPart");
     if (of_parts && level == Level::region)
-        refuse(axiom, "a part that has parts itself needs a third layer, which is not part of this version",
-               "describe parts by their features, and objects by hasPart");
-    if (!of_parts && level == Level::object)
-        refuse(axiom, property + " is a feature of regions, and here an object is meant",
+        refuse(axiom, "a region has no parts, and what has parts is a composite part of a layer above",
+               "put it below core:CompositePart and not below core:Region, and describe it by its parts only");
+    if (!of_parts && level != Level::region)
+        refuse(axiom, property + " is a feature of regions, and here " + kind_of(level) + " is meant",
                "write hasPart some (" + to_manchester(expression) + ")");
-    if (of_parts) return ground_parts(expression, axiom);
+    if (of_parts) return ground_parts(expression, level, axiom);
     for (std::size_t r = 0; r < theory_.ranges.size(); ++r)
         if (theory_.ranges[r].property == expression.property.iri) return ground_feature(expression, r, axiom);
     return ground_number(expression, axiom);
 }
+
+std::vector<std::pair<FormulaId, Level>> Grounder::take_mentions() { return std::exchange(mentions_, {}); }
 
 }  // namespace partonomy::knowledge

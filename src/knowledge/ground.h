@@ -13,12 +13,16 @@ class Grounder {
 public:
     Grounder(const owl::Ontology& ontology, const std::map<Iri, Level>& levels, Theory& theory);
 
-    /// `expression` as a statement about one region or one object. Throws OntologyError naming `axiom`.
+    /// `expression` as a statement about one region, composite part or object. Throws OntologyError naming `axiom`.
     FormulaId ground(const owl::ClassPointer& expression, Level level, const owl::Axiom& axiom);
     /// The values of range concept `range` that belong to `expression`, a Boolean combination of classes below
     /// core:Feature. With `strict`, values of other range concepts are refused; otherwise they are none of this one's.
     ConfigurationSet values(const owl::ClassExpression& expression, std::size_t range, const owl::Axiom& axiom,
                             bool strict);
+
+    /// The classes of parts that composite parts were said to have since the last call, as written: (formula, level).
+    /// Parts of those parts do not count.
+    std::vector<std::pair<FormulaId, Level>> take_mentions();
 
     FormulaId negate(FormulaId a);
     FormulaId conjoin(std::vector<FormulaId> operands);
@@ -32,7 +36,7 @@ private:
     FormulaId ground_name(const Iri& iri, Level level, const owl::Axiom& axiom);
     FormulaId ground_feature(const owl::ClassExpression& expression, std::size_t range, const owl::Axiom& axiom);
     FormulaId ground_number(const owl::ClassExpression& expression, const owl::Axiom& axiom);
-    FormulaId ground_parts(const owl::ClassExpression& expression, const owl::Axiom& axiom);
+    FormulaId ground_parts(const owl::ClassExpression& expression, Level level, const owl::Axiom& axiom);
     [[nodiscard]] const RangeConcept* range_of_value(const Iri& value) const;
     [[nodiscard]] bool is_functional(const Iri& property) const;
 
@@ -42,6 +46,8 @@ private:
     std::map<Iri, std::size_t> ranges_of_values_;
     std::set<Iri> range_names_;
     std::vector<Iri> open_;  ///< classes of values whose definition is being read
+    bool outside_parts_ = true;
+    std::vector<std::pair<FormulaId, Level>> mentions_;
 };
 
 }  // namespace partonomy::knowledge

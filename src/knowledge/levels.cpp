@@ -1,12 +1,14 @@
 #include <algorithm>
+#include <set>
 
 #include "base/errors.h"
 #include "knowledge/theory.h"
 
 // A named class belongs to the layer that its axioms speak of: properties of features are about regions, hasPart is
-// about objects, and names pass on what their own axioms say. A sweep over all axioms is repeated until nothing new is
-// learned, which takes as many sweeps as definitions are deep. Upwards (from a class to a bare superclass) is only
-// learned when all else is.
+// about objects and composite parts, and names pass on what their own axioms say. A sweep over all axioms is repeated
+// until nothing new is learned, which takes as many sweeps as definitions are deep. What only has parts is a composite
+// part when some hasPart leads to it, else an object; that is decided when nothing surer is left to learn. Upwards
+// (from a class to a bare superclass) is only learned when all else is.
 
 namespace partonomy::knowledge {
 namespace {
@@ -26,13 +28,20 @@ public:
         levels_[core_term("Feature")] = Level::feature;
         levels_[core_term("Region")] = Level::region;
         levels_[core_term("Object")] = Level::object;
+        levels_[core_term("CompositePart")] = Level::composite;
+        for (const Axiom& axiom : ontology.axioms)
+            for (const owl::ClassPointer& expression : axiom.classes) find_parts(*expression, false);
     }
 
     std::map<Iri, Level> run() {
-        for (bool upwards : {false, true}) {
+        struct Sweep {
+            bool wholes, upwards;
+        };
+        for (const Sweep sweep : {Sweep{false, false}, Sweep{true, false}, Sweep{true, true}}) {
+            decide_wholes_ = sweep.wholes;
             for (bool grown = true; grown;) {
                 grown = false;
-                for (const Axiom& axiom : ontology_.axioms) grown |= learn(axiom, upwards);
+                for (const Axiom& axiom : ontology_.axioms) grown |= learn(axiom, sweep.upwards);
             }
         }
         return std::move(levels_);
@@ -43,10 +52,21 @@ private:
         return knowledge::level_of(expression, levels_, ranges_);
     }
 
+    /// Names behind hasPart.
+    void find_parts(const owl::ClassExpression& expression, bool is_part) {
+        if (expression.kind == ClassKind::named && is_part) parts_.insert(expression.iri);
+        const bool leads_to_parts = expression.property.iri == core_term("hasPart");
+        for (const owl::ClassPointer& operand : expression.operands) find_parts(*operand, is_part || leads_to_parts);
+    }
+
     bool set(const owl::ClassPointer& expression, Level level) {
         if (level == Level::unknown || expression->kind != ClassKind::named) return false;
         const Iri& iri = expression->iri;
         if (is_thing(iri) || is_nothing(iri) || iri == core_term("Incompatible")) return false;
+        if (level == Level::whole) {
+            if (!decide_wholes_) return false;
+            level = parts_.contains(iri) ? Level::composite : Level::object;
+        }
         return levels_.emplace(iri, level).second;
     }
 
@@ -56,9 +76,7 @@ private:
             grown |= set(axiom.classes[0], level_of(*axiom.classes[1]));
             if (upwards) grown |= set(axiom.classes[1], level_of(*axiom.classes[0]));
         } else if (axiom.kind == AxiomKind::equivalent_classes || axiom.kind == AxiomKind::disjoint_union) {
-            Level level = Level::unknown;
-            for (const owl::ClassPointer& expression : axiom.classes)
-                if (level == Level::unknown) level = level_of(*expression);
+            const Level level = level_of_all(axiom.classes, levels_, ranges_);
             for (const owl::ClassPointer& expression : axiom.classes) grown |= set(expression, level);
         }
         return grown;
@@ -67,6 +85,8 @@ private:
     const owl::Ontology& ontology_;
     const std::vector<RangeConcept>& ranges_;
     std::map<Iri, Level> levels_;
+    std::set<Iri> parts_;
+    bool decide_wholes_ = false;
 };
 
 }  // namespace
@@ -81,9 +101,7 @@ Level level_of(const owl::ClassExpression& expression, const std::map<Iri, Level
         case ClassKind::intersection_of:
         case ClassKind::union_of:
         case ClassKind::complement_of:
-            for (const owl::ClassPointer& operand : expression.operands)
-                if (const Level level = level_of(*operand, levels, ranges); level != Level::unknown) return level;
-            return Level::unknown;
+            return level_of_all(expression.operands, levels, ranges);
         case ClassKind::one_of:
         case ClassKind::has_self:
             return Level::unknown;
@@ -95,11 +113,22 @@ Level level_of(const owl::ClassExpression& expression, const std::map<Iri, Level
         case ClassKind::data_exact_cardinality:
             return Level::region;
         default:
-            if (expression.property.iri == core_term("hasPart")) return Level::object;
+            if (expression.property.iri == core_term("hasPart")) return Level::whole;
             return std::ranges::any_of(ranges, [&](const auto& r) { return r.property == expression.property.iri; })
                        ? Level::region
                        : Level::unknown;
     }
+}
+
+Level level_of_all(std::span<const owl::ClassPointer> expressions, const std::map<Iri, Level>& levels,
+                   const std::vector<RangeConcept>& ranges) {
+    Level found = Level::unknown;
+    for (const owl::ClassPointer& expression : expressions) {
+        const Level level = level_of(*expression, levels, ranges);
+        if (level != Level::unknown && level != Level::whole) return level;
+        if (level == Level::whole) found = level;
+    }
+    return found;
 }
 
 std::map<Iri, Level> find_levels(const owl::Ontology& ontology, const std::vector<RangeConcept>& ranges) {

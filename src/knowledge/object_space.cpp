@@ -33,17 +33,36 @@ bool Parts::holds(Counts counts, const Atom& atom) const {
     return ((counts >> part.shift) & mask) >= atom.threshold;
 }
 
-Parts find_parts(const Theory& theory, const Scope& scope, const Layer& regions) {
+Counts Parts::sum(Counts a, Counts b) const {
+    Counts result = 0;
+    for (const PartClass& part : classes) {
+        const Counts mask = (Counts{1} << std::bit_width(part.cap)) - 1;
+        const Counts total = ((a >> part.shift) & mask) + ((b >> part.shift) & mask);
+        result |= std::min<Counts>(total, part.cap) << part.shift;
+    }
+    return result;
+}
+
+Parts find_parts(const Theory& theory, const Scope& scope, Subject subject, const Layer& regions,
+                 std::span<const Layer* const> groups) {
     Parts parts;
     parts.atom_of.assign(theory.formulas.size(), -1);
     const auto visit = [&](const auto& self, FormulaId id) -> void {
         const Formula& formula = theory.formulas[id];
         for (const FormulaId operand : formula.operands) self(self, operand);
         if (formula.kind != Formula::Kind::parts) return;
-        ConfigurationSet where = evaluate(theory, regions, formula.index);
-        if (where.is_empty()) return;
-        auto part = std::ranges::find(parts.classes, where, &Parts::PartClass::where);
-        if (part == parts.classes.end()) part = parts.classes.insert(part, {std::move(where), 0, 0});
+        const bool of_regions = formula.part_level == Level::region;
+        Parts::PartClass wanted{of_regions ? evaluate(theory, regions, formula.index) : regions.space.none(), {}, 0, 0};
+        bool is_empty = wanted.where.is_empty();
+        for (std::size_t g = 0; !of_regions && g < groups.size(); ++g) {
+            wanted.composites.push_back(groups[g] ? evaluate(theory, *groups[g], formula.index) : ConfigurationSet());
+            is_empty &= wanted.composites.back().is_empty();
+        }
+        if (is_empty) return;
+        auto part = std::ranges::find_if(parts.classes, [&](const Parts::PartClass& each) {
+            return each.where == wanted.where && each.composites == wanted.composites;
+        });
+        if (part == parts.classes.end()) part = parts.classes.insert(part, std::move(wanted));
         part->cap = std::max(part->cap, formula.threshold);
         const auto index = static_cast<std::size_t>(part - parts.classes.begin());
         const auto atom = std::ranges::find_if(
@@ -51,17 +70,28 @@ Parts find_parts(const Theory& theory, const Scope& scope, const Layer& regions)
         parts.atom_of[id] = static_cast<int>(atom - parts.atoms.begin());
         if (atom == parts.atoms.end()) parts.atoms.push_back({index, formula.threshold, formula.part_class});
     };
-    std::vector<std::pair<std::size_t, FormulaId>> formulas;  // in the order in which they were written
+    std::vector<std::pair<std::size_t, FormulaId>> formulas, around;  // in the order in which they were written
     for (std::size_t id = 0; id < theory.concepts.size(); ++id) {
         const NamedConcept& named = theory.concepts[id];
-        if (named.level == Level::object && scope.concepts[id] && named.definition >= 0 && scope.axioms[named.axiom])
-            formulas.emplace_back(named.axiom, named.definition);
+        if (named.definition < 0 || !scope.concepts[id] || !scope.axioms[named.axiom]) continue;
+        (subject.has(named) ? formulas : around).emplace_back(named.axiom, named.definition);
     }
     for (const Constraint& constraint : theory.constraints)
-        if (constraint.level == Level::object && scope.axioms[constraint.axiom])
-            formulas.emplace_back(constraint.axiom, constraint.formula);
+        if (scope.axioms[constraint.axiom])
+            (constraint.level == subject.level ? formulas : around).emplace_back(constraint.axiom, constraint.formula);
     std::ranges::sort(formulas);
     for (const auto& [axiom, formula] : formulas) visit(visit, formula);
+    // What others ask of a composite part: hasPart some (Back and hasPart some Headrest).
+    const auto look_inside = [&](const auto& self, FormulaId id) -> void {
+        const Formula& formula = theory.formulas[id];
+        for (const FormulaId operand : formula.operands) self(self, operand);
+        if (formula.kind != Formula::Kind::parts || formula.part_level != Level::composite) return;
+        visit(visit, formula.index);
+        self(self, formula.index);
+    };
+    std::ranges::sort(around);
+    if (subject.level == Level::composite)
+        for (const auto& [axiom, formula] : around) look_inside(look_inside, formula);
 
     unsigned shift = 0;
     for (Parts::PartClass& part : parts.classes) {
@@ -69,11 +99,12 @@ Parts find_parts(const Theory& theory, const Scope& scope, const Layer& regions)
         shift += static_cast<unsigned>(std::bit_width(part.cap));
     }
     if (shift > 64)
-        throw OntologyError("the concepts of objects count " + std::to_string(parts.classes.size()) +
+        throw OntologyError("the concepts of one layer count " + std::to_string(parts.classes.size()) +
                             " classes of parts, more than can be combined; count fewer classes, or to lower numbers");
 
     parts.types.push_back({{}, regions.space.all()});
     for (std::size_t c = 0; c < parts.classes.size(); ++c) {
+        if (!parts.classes[c].composites.empty()) continue;
         std::vector<Parts::Type> finer;
         for (Parts::Type& type : parts.types) {
             Parts::Type inside{type.classes, type.where & parts.classes[c].where};
@@ -175,8 +206,8 @@ ConfigurationSet ObjectLayer::of(const std::vector<Counts>& some) const {
     return result;
 }
 
-ObjectLayer build_objects(const Theory& theory, const Scope& scope, const Parts& parts, std::vector<Counts> counts,
-                          std::size_t limit) {
+ObjectLayer build_objects(const Theory& theory, const Scope& scope, Subject subject, const Parts& parts,
+                          std::vector<Counts> counts, std::size_t limit) {
     ObjectLayer objects;
     objects.counts = std::move(counts);
     std::map<std::vector<bool>, std::size_t> rows;  // "no" of each atom, so that a yes sorts first
@@ -205,9 +236,10 @@ ObjectLayer build_objects(const Theory& theory, const Scope& scope, const Parts&
         variable.values = {"yes", "no"};
         variable.part_class = atom.as_written;
         variable.threshold = atom.threshold;
+        variable.of_composites = !parts.classes[atom.part].composites.empty();
         space.variables.push_back(std::move(variable));
     }
-    const std::size_t primitives = add_primitives(theory, scope, Level::object, layer);
+    const std::size_t primitives = add_primitives(theory, scope, subject, layer);
     const std::size_t copies = primitives < 63 ? std::size_t{1} << primitives : std::numeric_limits<std::size_t>::max();
     if (copies > limit / std::max<std::size_t>(1, assignments.size()))
         throw OntologyError("the parts of an object combine in more than " + std::to_string(limit) + " ways, with " +
@@ -222,7 +254,7 @@ ObjectLayer build_objects(const Theory& theory, const Scope& scope, const Parts&
         for (std::size_t p = 0; p < primitives; ++p)
             space.holds[assignment.size() + p][(i % copies) >> (primitives - 1 - p) & 1].insert(i);
     }
-    const ConfigurationSet allowed = close_layer(theory, scope, Level::object, layer);
+    const ConfigurationSet allowed = close_layer(theory, scope, subject, layer);
     for (std::size_t r = 0; r < assignments.size(); ++r) {
         ConfigurationSet set(allowed.size());
         for (std::size_t i = r * copies; i < (r + 1) * copies; ++i) set.insert(i);

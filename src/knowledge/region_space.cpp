@@ -74,11 +74,18 @@ Scope cone(const Theory& theory, int goal, std::vector<char> axioms, bool all_fe
         scope.concepts[formula.index] = 1;
         const NamedConcept& named = theory.concepts[formula.index];
         if (named.definition >= 0 && scope.axioms[named.axiom]) self(self, named.definition);
+        if (named.group < 0) return;  // what its groups are made of does not hang on the axioms that are kept
+        self(self, theory.groups[static_cast<std::size_t>(named.group)].regions);
+        self(self, theory.groups[static_cast<std::size_t>(named.group)].composites);
     };
     if (goal >= 0) {
         scope.concepts[goal] = 1;
         const NamedConcept& named = theory.concepts[goal];
         if (named.definition >= 0 && scope.axioms[named.axiom]) visit(visit, named.definition);
+        if (named.group >= 0) {
+            visit(visit, theory.groups[static_cast<std::size_t>(named.group)].regions);
+            visit(visit, theory.groups[static_cast<std::size_t>(named.group)].composites);
+        }
     }
     for (const Constraint& constraint : theory.constraints)
         if (scope.axioms[constraint.axiom]) visit(visit, constraint.formula);
@@ -122,12 +129,12 @@ ConfigurationSet evaluate(const Theory& theory, const Layer& layer, FormulaId id
     return layer.atoms[id] < 0 ? ConfigurationSet(size) : layer.space.holds[layer.atoms[id]][0];
 }
 
-std::size_t add_primitives(const Theory& theory, const Scope& scope, Level level, Layer& layer) {
+std::size_t add_primitives(const Theory& theory, const Scope& scope, Subject subject, Layer& layer) {
     std::size_t added = 0;
     layer.primitives.assign(theory.concepts.size(), -1);
     for (std::size_t id = 0; id < theory.concepts.size(); ++id) {
         const NamedConcept& named = theory.concepts[id];
-        if (named.level != level || !scope.concepts[id]) continue;
+        if (!subject.has(named) || !scope.concepts[id]) continue;
         if (named.definition >= 0 && scope.axioms[named.axiom]) continue;
         Variable variable{};
         variable.kind = VariableKind::primitive;
@@ -141,13 +148,17 @@ std::size_t add_primitives(const Theory& theory, const Scope& scope, Level level
     return added;
 }
 
-ConfigurationSet close_layer(const Theory& theory, const Scope& scope, Level level, Layer& layer) {
+ConfigurationSet close_layer(const Theory& theory, const Scope& scope, Subject subject, Layer& layer) {
     layer.concepts.assign(theory.concepts.size(), {});
     std::vector<char> done(theory.concepts.size(), 0);
     const auto settle = [&](const auto& self, std::size_t id) -> void {
         const NamedConcept& named = theory.concepts[id];
-        if (done[id] || named.level != level || !scope.concepts[id]) return;
+        if (done[id] || named.level != subject.level || !scope.concepts[id]) return;
         done[id] = 1;
+        if (!subject.has(named)) {
+            layer.concepts[id] = ConfigurationSet(layer.space.size);
+            return;
+        }
         if (layer.primitives[id] >= 0) {
             layer.concepts[id] = layer.space.holds[layer.primitives[id]][0];
             return;
@@ -164,7 +175,7 @@ ConfigurationSet close_layer(const Theory& theory, const Scope& scope, Level lev
 
     ConfigurationSet allowed = layer.space.all();
     for (const Constraint& constraint : theory.constraints)
-        if (constraint.level == level && scope.axioms[constraint.axiom])
+        if (constraint.level == subject.level && scope.axioms[constraint.axiom])
             allowed &= evaluate(theory, layer, constraint.formula);
     const std::size_t count = allowed.count();
     if (count == layer.space.size) return allowed;
@@ -185,7 +196,7 @@ Layer build_regions(const Theory& theory, const Scope& scope, const CompileOptio
         layer.features[f] = static_cast<int>(space.variables.size());
         space.variables.push_back(feature_variable(theory, f));
     }
-    add_primitives(theory, scope, Level::region, layer);
+    add_primitives(theory, scope, {Level::region, -1}, layer);
     space.product = 1;
     for (const Variable& variable : space.variables) space.product = times(space.product, variable.values.size());
     if (space.product > options.listing_limit) {
@@ -200,7 +211,7 @@ Layer build_regions(const Theory& theory, const Scope& scope, const CompileOptio
         for (std::size_t i = 0; i < space.size; ++i) holds[(i / run) % holds.size()].insert(i);
         space.holds.push_back(std::move(holds));
     }
-    close_layer(theory, scope, Level::region, layer);
+    close_layer(theory, scope, {Level::region, -1}, layer);
     return layer;
 }
 

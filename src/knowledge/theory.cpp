@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/errors.h"
-#include "knowledge/ground.h"
+#include "knowledge/groups.h"
 
 // From axioms to definitions and constraints. A named class is defined by its first EquivalentTo with an expression,
 // else by a synonym, else by its DisjointUnion; what is left of these axioms, and every other one, is a constraint: a
@@ -26,8 +26,9 @@ public:
           levels_(find_levels(ontology, theory_.ranges)),
           grounder_(ontology, levels_, theory_) {
         for (const auto& [iri, level] : levels_)
-            if (level > Level::feature && iri != core_term("Region") && iri != core_term("Object"))
-                theory_.concepts.push_back({iri, level, false, -1, 0});
+            if (level > Level::feature && iri != core_term("Region") && iri != core_term("CompositePart") &&
+                iri != core_term("Object"))
+                theory_.concepts.push_back({iri, level, false, -1, 0, -1});
     }
 
     Theory run() {
@@ -36,6 +37,7 @@ public:
         for (const std::size_t i : unions_) read_union(i);
         refuse_circles();
         spread_incompatible();
+        find_groups(theory_, grounder_, mentions_, told_, ontology_);
         for (const owl::Entity& entity : ontology_.entities)
             if (entity.kind == owl::EntityKind::klass && !levels_.contains(entity.iri) && !is_thing(entity.iri) &&
                 !is_nothing(entity.iri) && entity.iri != core_term("Incompatible"))
@@ -126,8 +128,14 @@ private:
                 if (of_parts) refuse(axiom, "objects have several parts", "take it away");
                 return;
             case AxiomKind::transitive_object_property:
+                if (of_parts) return;  // and so it is read: parts of parts are parts
+                break;
             case AxiomKind::inverse_functional_object_property:
-                if (of_parts) return;  // parts have no parts, and there is one object
+                if (of_parts && std::ranges::any_of(theory_.concepts, [](const NamedConcept& each) {
+                        return each.level == Level::composite;
+                    }))
+                    refuse(axiom, "a part of a composite part is a part of the object, too", "take it away");
+                if (of_parts) return;  // there is one object
                 break;
             case AxiomKind::inverse_object_properties:
                 if (known < 2) return;
@@ -149,11 +157,11 @@ private:
     }
 
     [[nodiscard]] Level level_of_axiom(const Axiom& axiom) const {
-        Level level = Level::unknown;
-        for (const ClassPointer& expression : axiom.classes)
-            if (level == Level::unknown) level = level_of(*expression, levels_, theory_.ranges);
-        return level;
+        return decided(level_of_all(axiom.classes, levels_, theory_.ranges));
     }
+
+    /// What merely has parts, and is told by no name, is the object.
+    [[nodiscard]] static Level decided(Level level) { return level == Level::whole ? Level::object : level; }
 
     void constrain(Level level, std::size_t axiom, FormulaId formula) {
         if (formula != 0) theory_.constraints.push_back({level, axiom, formula});
@@ -182,13 +190,16 @@ private:
         // The first expression is the definition of each name; the others must agree with it.
         const ClassPointer& meaning =
             *std::ranges::find_if(axiom.classes, [](const auto& c) { return c->kind != ClassKind::named; });
+        (void)grounder_.take_mentions();
         const FormulaId formula = grounder_.ground(meaning, level, axiom);
+        const std::vector<std::pair<FormulaId, Level>> mentions = grounder_.take_mentions();
         for (const ClassPointer& expression : axiom.classes) {
             if (expression == meaning) continue;
             const int id = concept_of(expression);
-            if (id >= 0 && theory_.concepts[id].definition < 0)
+            if (id >= 0 && theory_.concepts[id].definition < 0) {
                 define(id, formula, index);
-            else
+                if (!mentions.empty()) mentions_.push_back({id, mentions});
+            } else
                 constrain(level, index, same(grounder_.ground(expression, level, axiom), formula));
         }
     }
@@ -245,8 +256,10 @@ private:
         const Axiom& axiom = ontology_.axioms[index];
         for (std::size_t i = first; i < axiom.classes.size(); ++i)
             for (std::size_t j = i + 1; j < axiom.classes.size(); ++j) {
-                const Level a = level_of(*axiom.classes[i], levels_, theory_.ranges);
-                const Level b = level_of(*axiom.classes[j], levels_, theory_.ranges);
+                Level a = level_of(*axiom.classes[i], levels_, theory_.ranges);
+                Level b = level_of(*axiom.classes[j], levels_, theory_.ranges);
+                if (a == Level::whole) a = decided(b == Level::composite ? b : a);
+                if (b == Level::whole) b = decided(a == Level::composite ? a : b);
                 if (a == Level::unknown || b == Level::unknown)
                     refuse(axiom, "no axiom says whether it is about regions or objects",
                            "put its classes below core:Region or core:Object");
@@ -408,6 +421,7 @@ private:
     Grounder grounder_;
     std::vector<std::size_t> synonyms_, unions_;
     std::vector<std::pair<int, int>> told_;  ///< sub, super
+    std::vector<Mentions> mentions_;
 };
 
 }  // namespace

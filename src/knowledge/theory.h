@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,8 +14,9 @@
 
 namespace partonomy::knowledge {
 
-/// What a class expression speaks of.
-enum class Level { unknown, feature, region, object };
+/// What a class expression speaks of. A *whole* has parts, and so far nothing else is known of it: a composite part when
+/// it is itself a part of something, else an object.
+enum class Level { unknown, feature, region, whole, composite, object };
 
 /// A term of the core ontology: core_term("Region").
 [[nodiscard]] Iri core_term(const char* name);
@@ -37,15 +39,25 @@ struct Formula {
     unsigned threshold = 0;           ///< parts: at least so many, >= 1
     ConfigurationSet values;          ///< choice: the values that make it true
     owl::ClassPointer part_class;     ///< parts: as written
+    Level part_level = Level::region; ///< parts: region or composite
     std::vector<FormulaId> operands;  ///< conjunction, disjunction, negation
 };
 
 struct NamedConcept {
     Iri iri;
-    Level level = Level::unknown;  ///< region or object
+    Level level = Level::unknown;  ///< region, composite or object
     bool incompatible = false;
     FormulaId definition = -1;  ///< -1: primitive
     std::size_t axiom = 0;      ///< that defines it
+    int group = -1;             ///< composite: into Theory::groups; -1: says nothing of what its members consist of
+};
+
+/// A kind of composite part: concepts that speak of the same groups. A group is a largest connected set of regions that
+/// are in `regions`, or in a composite part that is in `composites`.
+struct Group {
+    FormulaId regions = 1;     ///< about a region
+    FormulaId composites = 1;  ///< about a composite part of an earlier group
+    std::vector<int> inner;    ///< groups whose composite parts may be in `composites`; ascending
 };
 
 /// A formula that holds in every configuration of its layer.
@@ -61,6 +73,7 @@ struct Theory {
     std::vector<Formula> formulas;
     std::vector<NamedConcept> concepts;  ///< sorted by IRI
     std::vector<Constraint> constraints;
+    std::vector<Group> groups;  ///< each after those that it is made of
     std::vector<std::string> warnings;
 
     /// Feature variables: the ranges, then the numbers.
@@ -84,6 +97,10 @@ struct Theory {
 
 [[nodiscard]] Level level_of(const owl::ClassExpression& expression, const std::map<Iri, Level>& levels,
                              const std::vector<RangeConcept>& ranges);
+
+/// The surest of theirs: the first that is no mere whole.
+[[nodiscard]] Level level_of_all(std::span<const owl::ClassPointer> expressions, const std::map<Iri, Level>& levels,
+                                 const std::vector<RangeConcept>& ranges);
 
 /// The whole ontology as formulas. Throws OntologyError for what cannot be grounded.
 [[nodiscard]] Theory read_theory(const owl::Ontology& ontology);
@@ -114,12 +131,22 @@ struct Layer {
 /// The configurations in which `formula` holds. Concepts must have their sets already (see close_layer).
 [[nodiscard]] ConfigurationSet evaluate(const Theory& theory, const Layer& layer, FormulaId formula);
 
-/// Gives each concept of `level` its set, and packs the layer to the configurations that satisfy the constraints.
-/// Returns those.
-ConfigurationSet close_layer(const Theory& theory, const Scope& scope, Level level, Layer& layer);
+/// What a layer is about: a region, the object, or a composite part of one group.
+struct Subject {
+    Level level = Level::object;
+    int group = -1;
+    /// Concepts of other groups hold for no composite part of this one.
+    [[nodiscard]] bool has(const NamedConcept& named) const {
+        return named.level == level && (named.group < 0 || named.group == group);
+    }
+};
 
-/// Adds a yes/no variable for each primitive concept of `level`; returns how many.
-std::size_t add_primitives(const Theory& theory, const Scope& scope, Level level, Layer& layer);
+/// Gives each concept of the subject's level its set, and packs the layer to the configurations that satisfy the
+/// constraints. Returns those.
+ConfigurationSet close_layer(const Theory& theory, const Scope& scope, Subject subject, Layer& layer);
+
+/// Adds a yes/no variable for each primitive concept of the subject; returns how many.
+std::size_t add_primitives(const Theory& theory, const Scope& scope, Subject subject, Layer& layer);
 
 /// The configurations of one region, listed or compiled. Throws OntologyError when a limit of the diagram is reached
 /// (no source: the caller adds it).
@@ -132,10 +159,11 @@ void compile_regions(const Theory& theory, const Scope& scope, const DiagramOpti
 /// How many parts of each class an object has, each count capped where more makes no difference, packed into one word.
 using Counts = std::uint64_t;
 
-/// The classes of parts that object concepts count.
+/// The classes of parts that the concepts of an object, or of a composite part, count.
 struct Parts {
     struct PartClass {
         ConfigurationSet where;  ///< configurations of a region
+        std::vector<ConfigurationSet> composites;  ///< by group: configurations of a composite part; mostly empty
         unsigned cap = 0;        ///< highest threshold
         unsigned shift = 0;      ///< of its count in Counts
     };
@@ -155,9 +183,13 @@ struct Parts {
     std::vector<Type> types;
 
     [[nodiscard]] Counts add(Counts counts, const Type& type) const;
+    /// All parts of both.
+    [[nodiscard]] Counts sum(Counts a, Counts b) const;
     [[nodiscard]] bool holds(Counts counts, const Atom& atom) const;
 };
-[[nodiscard]] Parts find_parts(const Theory& theory, const Scope& scope, const Layer& regions);
+/// The classes that `subject` counts. `groups`: the layers of the composite parts that there are so far, by group.
+[[nodiscard]] Parts find_parts(const Theory& theory, const Scope& scope, Subject subject, const Layer& regions,
+                               std::span<const Layer* const> groups = {});
 
 /// Types that meet `regions`.
 [[nodiscard]] std::vector<std::size_t> types_within(const Parts& parts, const ConfigurationSet& regions);
@@ -188,15 +220,8 @@ void prepare_beyond(const Parts& parts, ObjectLayer& objects);
 [[nodiscard]] ConfigurationSet with_more_parts(const Parts& parts, const ObjectLayer& objects,
                                                const std::vector<Counts>& counts);
 
-/// The configurations of an object whose part counts are among `counts`.
-[[nodiscard]] ObjectLayer build_objects(const Theory& theory, const Scope& scope, const Parts& parts,
+/// The configurations of an object, or of a composite part, whose part counts are among `counts`.
+[[nodiscard]] ObjectLayer build_objects(const Theory& theory, const Scope& scope, Subject subject, const Parts& parts,
                                         std::vector<Counts> counts, std::size_t limit);
-
-struct Grounding {
-    CompileOptions options;
-    Theory theory;
-    Parts parts;
-    ObjectLayer objects;
-};
 
 }  // namespace partonomy::knowledge
