@@ -46,7 +46,7 @@ ordered_json space_as_json(const Space& space) {
             {"possible", number(space.possible.count_text())}};
 }
 
-void print_space(const char* title, const Space& space) {
+void print_space(const std::string& title, const Space& space) {
     fmt::print("{}\n  concepts: {}\n  questions about:", title, fmt::join(concepts_of(space), ", "));
     for (const knowledge::Variable& variable : space.variables)
         if (variable.kind == knowledge::VariableKind::parts)
@@ -67,18 +67,27 @@ int run_check(const Arguments& arguments) {
         ordered_json hierarchy = ordered_json::array();
         for (const auto& [sub, super] : domain.hierarchy())
             hierarchy.push_back({owl::local_name(sub), owl::local_name(super)});
-        const ordered_json result = {
-            {"ontology", domain.ontology.iri},
-            {"layers", {{"S1", space_as_json(domain.regions)}, {"S2", space_as_json(domain.objects)}}},
-            {"hierarchy", hierarchy},
-            {"unsatisfiable", unsatisfiable},
-            {"warnings", domain.warnings},
-            {"ok", !is_wrong}};
+        ordered_json layers = {{"S1", space_as_json(domain.regions)}};
+        ordered_json composites = ordered_json::array();
+        for (const knowledge::CompositeSpace& composite : domain.composites) {
+            composites.push_back(space_as_json(composite.space));
+            composites.back()["layer"] = fmt::format("S{}", composite.layer);
+        }
+        layers[fmt::format("S{}", domain.object_layer())] = space_as_json(domain.objects);
+        const ordered_json result = {{"ontology", domain.ontology.iri},
+                                     {"layers", layers},
+                                     {"composites", composites},
+                                     {"hierarchy", hierarchy},
+                                     {"unsatisfiable", unsatisfiable},
+                                     {"warnings", domain.warnings},
+                                     {"ok", !is_wrong}};
         fmt::print("{}\n", result.dump(2));
     } else {
         fmt::print("{}: {} axioms\n", domain.ontology.iri, domain.ontology.axioms.size());
         print_space("S1, parts", domain.regions);
-        print_space("S2, objects", domain.objects);
+        for (const knowledge::CompositeSpace& composite : domain.composites)
+            print_space(fmt::format("S{}, composite parts", composite.layer), composite.space);
+        print_space(fmt::format("S{}, objects", domain.object_layer()), domain.objects);
         for (const std::string& name : unsatisfiable) fmt::print("wrong: nothing can ever be a {}\n", name);
         for (const std::string& warning : domain.warnings) fmt::print("warning: {}\n", warning);
         if (!is_wrong) fmt::print("nothing wrong found\n");

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <memory>
 
 #include "app/commands.h"
@@ -26,10 +27,25 @@ constexpr Format formats[]{{".json", knowledge::to_json},
 
 struct Arguments {
     OntologyArguments ontology;
-    std::string output, criterion = "dichotomy";
+    std::string output, criterion = "dichotomy", concept_name;
     std::size_t nodes = 10'000, depth = 0;
     bool every_configuration = false;
 };
+
+/// The space in which there is a concept of that local name; that of a region for no name.
+const knowledge::Space& space_of(const knowledge::Domain& domain, const std::string& name) {
+    if (name.empty()) return domain.regions;
+    std::vector<const knowledge::Space*> spaces{&domain.regions};
+    for (const knowledge::CompositeSpace& composite : domain.composites) spaces.push_back(&composite.space);
+    spaces.push_back(&domain.objects);
+    for (const knowledge::Space* space : spaces)
+        for (const knowledge::Concept& concept_ : space->concepts)
+            if (owl::local_name(concept_.iri) == name) return *space;
+    throw UsageError(
+        fmt::format("--concept {}: the ontology has no such concept of parts or objects; partonomy check "
+                    "lists those that there are",
+                    name));
+}
 
 int run_tree(const Arguments& arguments) {
     const std::string extension = std::filesystem::path(arguments.output).extension().string();
@@ -40,26 +56,31 @@ int run_tree(const Arguments& arguments) {
     const auto start = std::chrono::steady_clock::now();
     const knowledge::Domain domain = arguments.ontology.load();
     const Catalogue catalogue = make_catalogue(domain);
+    const knowledge::Space& space = space_of(domain, arguments.concept_name);
+    const bool of_regions = &space == &domain.regions;
     knowledge::PlanOptions plan;
     plan.criterion = parse_criterion(arguments.criterion);
     plan.cost = [&](knowledge::Question question) -> std::optional<double> {
+        if (!of_regions) return 1.0;  // answered by counting parts
         const ElementaryAlgorithm* algorithm = catalogue.find(Signature::is_a, question);
         return algorithm ? std::optional(algorithm->cost) : std::nullopt;
     };
     if (!arguments.every_configuration)
-        for (int c = 0; c < static_cast<int>(domain.regions.concepts.size()); ++c) {
-            const auto& concept_ = domain.regions.concepts[static_cast<std::size_t>(c)];
+        for (int c = 0; c < static_cast<int>(space.concepts.size()); ++c) {
+            const auto& concept_ = space.concepts[static_cast<std::size_t>(c)];
             if (concept_.provable && !concept_.iri.starts_with(owl::core_prefix)) plan.wanted.push_back(c);
         }
-    const auto find_all = [&](knowledge::Question question) -> std::optional<double> {
-        const ElementaryAlgorithm* algorithm = catalogue.find(Signature::find_all, question);
-        return algorithm ? std::optional(algorithm->cost) : std::nullopt;
-    };
+    std::function<std::optional<double>(knowledge::Question)> find_all;
+    if (of_regions)
+        find_all = [&](knowledge::Question question) -> std::optional<double> {
+            const ElementaryAlgorithm* algorithm = catalogue.find(Signature::find_all, question);
+            return algorithm ? std::optional(algorithm->cost) : std::nullopt;
+        };
     knowledge::TreeLimits limits;
     limits.nodes = arguments.nodes;
     limits.leave_open = true;
     if (arguments.depth > 0) limits.depth = arguments.depth;
-    const knowledge::DecisionTree tree = build_tree(domain.regions, plan, find_all, limits);
+    const knowledge::DecisionTree tree = build_tree(space, plan, find_all, limits);
     const auto ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 
     if (arguments.output.empty())
@@ -67,7 +88,7 @@ int run_tree(const Arguments& arguments) {
     else
         write_file(arguments.output, format->write(tree, domain));
     fmt::print(stderr, "{}: {} configurations, {} nodes, depth {}, {:.1f} ms from file to tree\n",
-               arguments.ontology.path, domain.regions.possible.count_text(), tree.nodes.size(), tree.depth(), ms);
+               arguments.ontology.path, space.possible.count_text(), tree.nodes.size(), tree.depth(), ms);
     if (!tree.is_whole())
         fmt::print(stderr,
                    "{}: this is not the whole tree: {} of its nodes are left open; raise --nodes or --depth to see "
@@ -87,6 +108,8 @@ void add_tree_command(CLI::App& app, Run& run) {
                        "tree.json, .dot, .svg or .html; DOT on standard output without it");
     command.add_option("--criterion", arguments->criterion, "dichotomy, entropy or gain-per-cost")
         ->capture_default_str();
+    command.add_option("--concept", arguments->concept_name,
+                       "the tree of this concept's layer: a composite part or the object; regions without it");
     command.add_option("--nodes", arguments->nodes, "nodes to expand at most; the rest is left open")
         ->capture_default_str();
     command.add_option("--depth", arguments->depth, "questions to expand below the root; 0: no limit")

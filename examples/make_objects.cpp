@@ -4,12 +4,14 @@
 #include <exception>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "base/files.h"
 #include "examples/objects.h"
 #include "mesh/write_off.h"
 
-// Writes the paper's seven objects into a folder: NAME.off, and NAME.labels.txt with the true label of each face.
+// Writes the paper's seven objects, and two with headrests, into a folder: NAME.off, and NAME.labels.txt with the true
+// label of each face.
 
 int main(int argc, char** argv) {
     if (argc != 2) {
@@ -19,7 +21,10 @@ int main(int argc, char** argv) {
     try {
         const std::filesystem::path folder = argv[1];
         std::filesystem::create_directories(folder);
-        for (const partonomy::ExampleObject& object : partonomy::paper_objects()) {
+        std::vector<partonomy::ExampleObject> objects = partonomy::paper_objects();
+        objects.push_back(partonomy::headrest_chair());
+        objects.push_back(partonomy::headrest_chair(false));
+        for (const partonomy::ExampleObject& object : objects) {
             partonomy::write_file(folder / (object.name + ".off"), partonomy::to_off(object.mesh));
             std::string labels;
             for (const std::string& label : object.labels) labels += label + '\n';

@@ -159,8 +159,8 @@ ExampleObject bench() {
     return std::move(solid).finish("bench", "Bench");
 }
 
-/// A backrest board carried by two three-edged posts that stand on the rear corners of the seat; on request with a board
-/// that stands among the feet, and a vertex more on the rear of the backrest.
+/// A backrest board carried by two three-edged posts that stand on the rear corners of the seat; on request with a
+/// board that stands among the feet, and a vertex more on the rear of the backrest.
 Solid chair_with_posts(bool has_board_among_feet) {
     const Sizes s{0.44, 0.42, 0.43, 0.39, 0.045, 0.9, 0.05};
     const double backrest_bottom = 0.65, post = 0.05;
@@ -228,6 +228,38 @@ ExampleObject chair2() { return chair_with_posts(false).finish("chair2", "Chair"
 /// The rules of furniture forbid a board among the feet of a chair (paper Fig. 14).
 ExampleObject strange_object2() {
     return chair_with_posts(true).finish("strange-object2", "Chair", "FootIncompatibleFurnitures");
+}
+
+/// The corners of a three-edged post that stands on the rear edge of a board, its right end at x: right, left, front.
+std::array<Vertex, 3> rear_post(Solid& solid, double x, double thickness, double rear, double z) {
+    return {solid.at(x, rear, z), solid.at(x - thickness, rear, z),
+            solid.at(x - thickness / 2, rear - thickness * std::sqrt(3.0) / 2, z)};
+}
+
+/// An upright board from y = front to rear on two posts (corners at its lower side), with two more on its upper side.
+void add_board_on_posts(Solid& solid, const std::string& label, double x0, double x1, double front, double rear,
+                        double z0, double z1, const std::array<std::array<Vertex, 3>, 2>& below,
+                        const std::vector<std::array<Vertex, 3>>& above) {
+    const Four low = rectangle(solid, x0, x1, front, rear, z0), high = rectangle(solid, x0, x1, front, rear, z1);
+    solid.begin_part(label);
+    std::vector<Vertex> lower{low[0], low[1], low[2]}, upper{high[0], high[1], high[2]};
+    std::vector<Vertex> rear_side{low[2]};
+    for (const auto& [right, left, tip] : below) {
+        lower.insert(lower.end(), {right, tip, left});
+        rear_side.insert(rear_side.end(), {right, left});
+    }
+    lower.push_back(low[3]);
+    rear_side.insert(rear_side.end(), {low[3], high[3]});
+    for (const auto& [right, left, tip] : above) upper.insert(upper.end(), {right, tip, left});
+    upper.push_back(high[3]);
+    for (std::size_t i = above.size(); i-- > 0;) rear_side.insert(rear_side.end(), {above[i][1], above[i][0]});
+    rear_side.push_back(high[2]);
+    solid.face(lower, true);
+    solid.face(upper);
+    solid.face(rear_side);
+    solid.face({low[0], low[1], high[1], high[0]});
+    solid.face({low[1], low[2], high[2], high[1]});
+    solid.face({low[3], low[0], high[0], high[3]});
 }
 
 // The curved bench is cut by a polar grid: 61 columns between angles, 7 rings between radii. The seat fills the grid
@@ -335,6 +367,51 @@ ExampleObject curved_bench() {
 }
 
 }  // namespace
+
+ExampleObject headrest_chair(bool has_backrest) {
+    const Sizes s{0.44, 0.42, 0.43, 0.39, 0.045};
+    const double rear = s.depth, front = 0.37, post = has_backrest ? 0.04 : 0.05, neck = 0.025;
+    Solid solid;
+    const SeatOnLegs seat = add_legs(solid, s);
+    const auto& [top, next, previous] = seat;
+    const auto posts_at = [&](double left, double right, double thickness, double z) {
+        return std::array{rear_post(solid, right, thickness, rear, z), rear_post(solid, left, thickness, rear, z)};
+    };
+    const auto add_posts = [&](const std::array<std::array<Vertex, 3>, 2>& bases,
+                               const std::array<std::array<Vertex, 3>, 2>& ends) {
+        for (std::size_t p = 0; p < 2; ++p) {
+            solid.begin_part("BackPost");
+            for (std::size_t i = 0; i < 3; ++i)
+                solid.face({bases[p][i], bases[p][(i + 1) % 3], ends[p][(i + 1) % 3], ends[p][i]});
+        }
+    };
+    const double left = has_backrest ? 0.09 : 0.17, right = has_backrest ? 0.39 : 0.31;
+    const auto bases = posts_at(left, right, post, s.seat_top);
+    solid.begin_part("Seat");
+    solid.face({next[0], previous[1], top[1], top[0]});
+    solid.face({next[1], previous[2], top[2], top[1]});
+    solid.face({next[2], previous[3], top[3], bases[1][1], bases[1][0], bases[0][1], bases[0][0], top[2]});
+    solid.face({next[3], previous[0], top[0], top[3]});
+    solid.face(
+        {top[0], top[1], top[2], bases[0][0], bases[0][2], bases[0][1], bases[1][0], bases[1][2], bases[1][1], top[3]});
+    solid.face(seat.lower_side(), true);
+    const double headrest_bottom = 0.95, headrest_top = 1.15;
+    if (has_backrest) {
+        const auto ends = posts_at(left, right, post, 0.55);
+        add_posts(bases, ends);
+        const auto neck_bases = posts_at(0.18, 0.285, neck, 0.85),
+                   neck_ends = posts_at(0.18, 0.285, neck, headrest_bottom);
+        add_board_on_posts(solid, "BackPanel", 0, s.width, front, rear, 0.55, 0.85, ends,
+                           {neck_bases[0], neck_bases[1]});
+        add_posts(neck_bases, neck_ends);
+        add_board_on_posts(solid, "Headrest", 0.07, 0.37, front, rear, headrest_bottom, headrest_top, neck_ends, {});
+        return std::move(solid).finish("headrest-chair", "HeadrestChair");
+    }
+    const auto ends = posts_at(left, right, post, headrest_bottom);
+    add_posts(bases, ends);
+    add_board_on_posts(solid, "Headrest", 0.07, 0.37, front, rear, headrest_bottom, headrest_top, ends, {});
+    return std::move(solid).finish("headrest-only", "Chair", "HeadrestWithoutBackrest");
+}
 
 std::vector<ExampleObject> paper_objects() {
     std::vector<ExampleObject> objects;

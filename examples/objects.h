@@ -22,7 +22,12 @@ struct ExampleObject {
 /// from the paper's own meshes, which are not published, is told in objects.cpp.
 [[nodiscard]] std::vector<ExampleObject> paper_objects();
 
-/// One of them: bench, bench2, chair, chair2, couch, curved-bench or strange-object2. Throws UsageError otherwise.
+/// A chair whose backrest carries a headrest on two short posts; `object_class` is HeadrestChair of
+/// furniture-headrest.omn. Without `has_backrest` the posts of the seat carry the headrest itself, which that ontology
+/// forbids (HeadrestWithoutBackrest).
+[[nodiscard]] ExampleObject headrest_chair(bool has_backrest = true);
+
+/// One of the seven: bench, bench2, chair, chair2, couch, curved-bench or strange-object2. Throws UsageError otherwise.
 [[nodiscard]] ExampleObject paper_object(const std::string& name);
 
 }  // namespace partonomy

@@ -159,9 +159,9 @@ std::vector<std::string> open_questions(const Session& session, const std::vecto
     return open;
 }
 
-/// The object, when assumed names count as known.
-ConfigurationSet object_with_assumptions(const Session& session, const Conclusions& known,
-                                         const std::vector<Naming>& namings) {
+/// What follows when assumed names count as known.
+Conclusions conclude_with_assumptions(const Session& session, const Conclusions& known,
+                                      const std::vector<Naming>& namings) {
     const Domain& domain = session.domain();
     std::vector<ConfigurationSet> regions = known.regions;
     for (std::size_t r = 0; r < regions.size(); ++r)
@@ -169,7 +169,32 @@ ConfigurationSet object_with_assumptions(const Session& session, const Conclusio
             regions[r] &=
                 domain.regions.concepts[static_cast<std::size_t>(*domain.regions.find(namings[r].concepts.front()))]
                     .where;
-    return conclude_object(domain, regions, session.knowledge().complete);
+    return conclude_object(domain, session.knowledge(), std::move(regions));
+}
+
+/// The composite parts, those of which no concept is known left out.
+std::vector<AnnotatedComposite> composite_parts(const Session& session, const Conclusions& known) {
+    const Domain& domain = session.domain();
+    std::vector<AnnotatedComposite> composites;
+    std::vector<const knowledge::CompositePart*> kept;
+    for (const knowledge::CompositePart& part : known.composites) {
+        const Space& space = domain.composites[static_cast<std::size_t>(part.group)].space;
+        std::vector<Iri> names;
+        for (const ConceptId c : entailed(space, part.possible)) {
+            const Iri& iri = space.concepts[static_cast<std::size_t>(c)].iri;
+            if (!iri.starts_with(owl::core_prefix)) names.push_back(iri);
+        }
+        if (names.empty()) continue;
+        AnnotatedComposite& composite = composites.emplace_back();
+        composite.id = static_cast<int>(composites.size());
+        composite.concepts = local_names(specific_first(domain, names));
+        for (const int region : part.regions) composite.parts.push_back(region + 1);
+        for (std::size_t k = 0; k < kept.size(); ++k)
+            if (kept[k]->group < part.group && std::ranges::includes(part.regions, kept[k]->regions))
+                composite.composites.push_back(static_cast<int>(k) + 1);
+        kept.push_back(&part);
+    }
+    return composites;
 }
 
 }  // namespace
@@ -204,6 +229,8 @@ Annotation annotate(const Domain& domain, const Catalogue& catalogue, const Obje
             break;
     }
 
+    session.find_connections();
+
     const Conclusions known = conclude(domain, session.knowledge());
     std::vector<Naming> namings;
     Annotation annotation;
@@ -221,9 +248,10 @@ Annotation annotate(const Domain& domain, const Catalogue& catalogue, const Obje
     annotation.score = area > 0 ? scored_area / area : 0;
     label_faces(object, annotation);
 
-    const ConfigurationSet object_set = object_with_assumptions(session, known, namings);
+    const Conclusions assumed = conclude_with_assumptions(session, known, namings);
+    annotation.composites = composite_parts(session, assumed);
     std::vector<Iri> classes;
-    for (const ConceptId c : entailed(domain.objects, object_set)) {
+    for (const ConceptId c : entailed(domain.objects, assumed.object)) {
         const Iri& iri = domain.objects.concepts[static_cast<std::size_t>(c)].iri;
         if (!iri.starts_with(owl::core_prefix)) classes.push_back(iri);
     }
@@ -235,7 +263,8 @@ Annotation annotate(const Domain& domain, const Catalogue& catalogue, const Obje
     if (!session.trace.empty() && !annotation.classes.empty())
         session.trace.back().inferred.push_back("the object is " +
                                                 fmt::format("{}", fmt::join(annotation.classes, ", ")));
-    annotation.questions = {{"SF", session.find_all_count}, {"SI", session.is_a_count}, {"T", 0}, {"TF", 0}};
+    annotation.questions = {
+        {"SF", session.find_all_count}, {"SI", session.is_a_count}, {"T", 0}, {"TF", session.find_related_count}};
     annotation.trace = std::move(session.trace);
     for (const auto& [stage, ms] : object.times) annotation.timings_ms.emplace_back("find parts: " + stage, ms);
     const auto ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();

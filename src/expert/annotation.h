@@ -21,6 +21,14 @@ struct AnnotatedPart {
     std::string color;                            ///< "#rrggbb" to draw it in; empty: choose one
 };
 
+/// A part made of parts, of a layer between parts and object.
+struct AnnotatedComposite {
+    int id = 0;                         ///< 1, 2, … in the order of `Annotation::composites`
+    std::vector<std::string> concepts;  ///< local names, most specific first; at least one
+    std::vector<int> parts;             ///< ids of the parts that it consists of, ascending
+    std::vector<int> composites;        ///< ids of the composite parts of lower layers within it, ascending
+};
+
 /// One question that the expert system asked, as in the paper's Fig. 13.
 struct TraceEntry {
     std::string kind;                   ///< "SF", "SI", "T" or "TF"
@@ -54,6 +62,7 @@ struct Annotation {
     bool consistent = true;
     double score = 0;
     std::vector<AnnotatedPart> parts;
+    std::vector<AnnotatedComposite> composites;  ///< lower layers first
     std::vector<std::int32_t> part_of_triangle;  ///< #T index into `parts`, or -1
     std::vector<std::string> labels;             ///< one per input face: concept, or "-"
     std::vector<int> part_of_face;               ///< one per input face: part id, 0 for none

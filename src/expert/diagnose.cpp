@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <set>
 
 #include "expert/annotate.h"
 
@@ -72,6 +73,15 @@ std::vector<Diagnosis> diagnose(const Session& session, const Conclusions& known
         const knowledge::Concept& concept_ = session.domain().objects.concepts[static_cast<std::size_t>(c)];
         if (concept_.incompatible && concept_.iri != std::string(owl::core_prefix) + "Incompatible")
             diagnoses.push_back(explain_concept(session, knowledge, concept_.iri));
+    }
+    std::set<Iri> explained;  // once, however many composite parts are one
+    for (const knowledge::CompositePart& part : known.composites) {
+        const knowledge::Space& space = session.domain().composites[static_cast<std::size_t>(part.group)].space;
+        for (const ConceptId c : entailed(space, part.possible)) {
+            const knowledge::Concept& concept_ = space.concepts[static_cast<std::size_t>(c)];
+            if (concept_.incompatible && explained.insert(concept_.iri).second)
+                diagnoses.push_back(explain_concept(session, knowledge, concept_.iri));
+        }
     }
     for (int region = 0; region < session.region_count(); ++region)
         for (const ConceptId c : entailed(session.domain().regions, known.regions[static_cast<std::size_t>(region)])) {

@@ -4,12 +4,15 @@
  * values of the range can no longer be told apart by a `find all` (only Cube is left), the pieces of the rest are
  * regions with that value inferred.
  * 2. Name. Each region walks the tree by `is a` questions until every concept that the expert defined is decided.
- * 3. Recognise. What the names leave open about the object (is its seat elongated?) is asked of the regions that decide
+ * 3. Connect. Where the ontology has composite parts, it is found once which regions touch.
+ * 4. Recognise. What the names leave open about the object (is its seat elongated?) is asked of the regions that decide
  * it, the question about the object first, then the cheapest question about a region that answers it.
  *
  * The tree is never built here: a node is the set of configurations that are still possible, and its question is chosen
  * when the walk gets there, which gives the same walk as the saved tree (tested). Cost: a few microseconds a question.
  */
+
+#include <span>
 
 #include "expert/session.h"
 
@@ -52,12 +55,17 @@ void name(Session& session, SplitCriterion criterion) {
 /// A region and a question that may decide whether the object has `variable` of its parts conditions.
 std::optional<std::pair<int, Question>> question_for(const Session& session, const Planner& planner,
                                                      const Conclusions& known, int variable) {
-    const ConfigurationSet& condition = session.domain().part_conditions[static_cast<std::size_t>(variable)];
-    for (int region = 0; region < session.region_count(); ++region) {
-        const ConfigurationSet& set = known.regions[static_cast<std::size_t>(region)];
-        if (!set.intersects(condition) || set.is_subset_of(condition)) continue;
-        if (const auto question = planner.best_about(set, condition)) return std::pair{region, *question};
-    }
+    const knowledge::Domain& domain = session.domain();
+    const auto at = static_cast<std::size_t>(variable);
+    const std::span<const ConfigurationSet> conditions = domain.objects.variables[at].of_composites
+                                                             ? std::span(domain.composite_conditions)
+                                                             : std::span(domain.part_conditions).subspan(at, 1);
+    for (int region = 0; region < session.region_count(); ++region)
+        for (const ConfigurationSet& condition : conditions) {
+            const ConfigurationSet& set = known.regions[static_cast<std::size_t>(region)];
+            if (!set.intersects(condition) || set.is_subset_of(condition)) continue;
+            if (const auto question = planner.best_about(set, condition)) return std::pair{region, *question};
+        }
     return std::nullopt;
 }
 
@@ -88,6 +96,7 @@ void recognise(Session& session, SplitCriterion criterion) {
 void run_expert(Session& session, SplitCriterion criterion) {
     cut(session, criterion);
     name(session, criterion);
+    session.find_connections();
     recognise(session, criterion);
 }
 

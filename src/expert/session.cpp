@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <chrono>
 
+#include "algorithms/relations.h"
+
 namespace partonomy {
 namespace {
 
@@ -116,6 +118,36 @@ void Session::adopt_rest() {
     }
 }
 
+void Session::find_connections() {
+    if (connected_ || domain_.composites.empty()) return;
+    const Stopwatch watch;
+    connected_.emplace();
+    ++find_related_count;
+    std::vector<std::pair<int, RegionPlace>> places;  // of what may belong to a composite part
+    for (int region = 0; region < region_count(); ++region)
+        if (std::ranges::any_of(domain_.composites, [&](const knowledge::CompositeSpace& composite) {
+                return possible(region).is_empty() || possible(region).intersects(composite.regions);
+            }))
+            places.emplace_back(region, place_of(object_, part(region)));
+    double lowest = 1;
+    for (std::size_t i = 0; i < places.size(); ++i)
+        for (std::size_t j = i + 1; j < places.size(); ++j) {
+            const double score =
+                relation_score(std::span(&touching(), 1), object_, std::array{&places[i].second, &places[j].second})
+                    .value_or(0);
+            lowest = std::min(lowest, std::max(score, 1 - score));
+            if (score >= 0.5) connected_->emplace_back(places[i].first, places[j].first);
+        }
+    TraceEntry entry;
+    entry.kind = "TF";
+    entry.region = "mesh";
+    entry.question = "find all parts that touch each other";
+    entry.answer = fmt::format("{} pair{}", connected_->size(), connected_->size() == 1 ? "" : "s");
+    entry.score = lowest;
+    entry.ms = watch.ms();
+    trace.push_back(std::move(entry));
+}
+
 std::optional<double> Session::ask_score(int region, Question question) {
     const Stopwatch watch;
     const std::optional<double> score = is_a(domain_, question, object_, measurements(region));
@@ -177,7 +209,8 @@ std::vector<std::string> Session::consequences(int region, const ConfigurationSe
 
 knowledge::Knowledge Session::knowledge() const {
     constexpr double negligible = 0.05;  // of the surface
-    return {region_count(), rest_.empty() && uncovered_fraction_ < negligible, answers_};
+    return {region_count(), rest_.empty() && uncovered_fraction_ < negligible, answers_,
+            connected_.value_or(std::vector<std::pair<int, int>>{})};
 }
 
 std::optional<double> Session::is_a_cost(Question question) const {

@@ -32,6 +32,9 @@ public:
     /// Takes every candidate that no question has cut as a region, with what is known of the rest.
     void adopt_rest();
 
+    /// TF: finds which regions touch, where the ontology has composite parts. Only the first call does anything.
+    void find_connections();
+
     [[nodiscard]] bool has_rest() const { return !rest_.empty(); }
     [[nodiscard]] const knowledge::ConfigurationSet& rest_possible() const { return rest_possible_; }
     [[nodiscard]] int region_count() const { return static_cast<int>(parts_.size()); }
@@ -60,7 +63,7 @@ public:
     [[nodiscard]] double uncovered_fraction() const { return uncovered_fraction_; }
 
     std::vector<TraceEntry> trace;
-    int find_all_count = 0, is_a_count = 0;
+    int find_all_count = 0, is_a_count = 0, find_related_count = 0;
 
 private:
     struct Candidate {
@@ -90,6 +93,7 @@ private:
     std::vector<double> shape_scores_;
     std::vector<knowledge::Answer> answers_;
     std::vector<double> answer_scores_;
+    std::optional<std::vector<std::pair<int, int>>> connected_;
 };
 
 /// How an object is questioned; the paper's Table 3 compares them.

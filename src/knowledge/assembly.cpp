@@ -85,8 +85,8 @@ private:
         }
         std::set<State> steps;
         for (const Cell& cell : split(among_, sets)) {
-            const bool in_group = std::find(cell.in.begin() + static_cast<std::ptrdiff_t>(classes), cell.in.end(), 1) !=
-                                  cell.in.end();
+            const bool in_group =
+                std::find(cell.in.begin() + static_cast<std::ptrdiff_t>(classes), cell.in.end(), 1) != cell.in.end();
             if (in_group == (group >= 0)) steps.insert(step_of(observers, cell));
         }
         for (const std::size_t g : inner(group))
@@ -184,19 +184,21 @@ Assembly assemble(const Theory& theory, const Scope& scope, const Layer& regions
         const Group& group = theory.groups[g];
         const Subject subject{Level::composite, static_cast<int>(g)};
         std::vector<const Layer*> layers(composites.size(), nullptr);
-        for (const int i : group.inner) layers[static_cast<std::size_t>(i)] = &composites[static_cast<std::size_t>(i)].objects.layer;
+        for (const int i : group.inner)
+            layers[static_cast<std::size_t>(i)] = &composites[static_cast<std::size_t>(i)].objects.layer;
         composite.parts = find_parts(theory, scope, subject, regions, layers);
         composite.regions = evaluate(theory, regions, group.regions);
         composite.composites.resize(composites.size());
         for (const int i : group.inner)
-            composite.composites[static_cast<std::size_t>(i)] = evaluate(theory, *layers[static_cast<std::size_t>(i)], group.composites);
+            composite.composites[static_cast<std::size_t>(i)] =
+                evaluate(theory, *layers[static_cast<std::size_t>(i)], group.composites);
         for (std::size_t other = 0; other < g; ++other)
             if (composites[other].is_used && composites[other].owns &&
                 composites[other].regions.intersects(composite.regions))
                 composite.owns = false;
         std::vector<Counts> counts;
-        for (const State& state : Walk(theory, composites, regions.space.all(), false, limit)
-                                      .run(static_cast<int>(g), {&composite.parts}))
+        for (const State& state :
+             Walk(theory, composites, regions.space.all(), false, limit).run(static_cast<int>(g), {&composite.parts}))
             counts.push_back(state[0]);
         composite.objects = build_objects(theory, scope, subject, composite.parts, std::move(counts), limit);
         const Layer& layer = composite.objects.layer;
@@ -217,8 +219,7 @@ std::vector<Counts> possible_counts(const Theory& theory, const Assembly& assemb
     if (!assembly.has_composites())
         return with_any_more(assembly.parts, {0}, types_within(assembly.parts, among), limit);
     std::vector<Counts> counts;
-    for (const State& state :
-         Walk(theory, assembly.composites, among, only_possible, limit).run(-1, {&assembly.parts}))
+    for (const State& state : Walk(theory, assembly.composites, among, only_possible, limit).run(-1, {&assembly.parts}))
         counts.push_back(state[0]);
     return counts;
 }

@@ -31,9 +31,10 @@ struct Assembly {
 /// Throws OntologyError when parts combine in more than `limit` ways.
 [[nodiscard]] Assembly assemble(const Theory& theory, const Scope& scope, const Layer& regions, std::size_t limit);
 
-/// What an object of any number of parts may count: parts are regions in `among`, and composite parts of them; ascending.
-/// Only composite parts that are possible when `only_possible`. Throws OntologyError beyond `limit`. Where groups have a
-/// claim to the same regions, more than can be: then a group that does not own its regions may turn up anywhere.
+/// What an object of any number of parts may count: parts are regions in `among`, and composite parts of them;
+/// ascending. Only composite parts that are possible when `only_possible`. Throws OntologyError beyond `limit`. Where
+/// groups have a claim to the same regions, more than can be: then a group that does not own its regions may turn up
+/// anywhere.
 [[nodiscard]] std::vector<Counts> possible_counts(const Theory& theory, const Assembly& assembly,
                                                   const ConfigurationSet& among, bool only_possible, std::size_t limit);
 

@@ -5,9 +5,9 @@
 
 // The road from an ontology to its configuration spaces: levels and formulas (theory.cpp), the space of one region
 // (region_space.cpp), what composite parts there are and what objects count (assembly.cpp), the space of one object
-// (object_space.cpp); then what the expert should know about it. A space only holds what the axioms allow; what an Incompatible concept forbids stays
-// in it and is left out of `possible`, so that an impossible object can be recognised and explained. Furniture takes
-// about 1 ms: 2 ranges of 5 words and a few hundred object configurations.
+// (object_space.cpp); then what the expert should know about it. A space only holds what the axioms allow; what an
+// Incompatible concept forbids stays in it and is left out of `possible`, so that an impossible object can be
+// recognised and explained. Furniture takes about 1 ms: 2 ranges of 5 words and a few hundred object configurations.
 
 namespace partonomy::knowledge {
 namespace {
@@ -138,6 +138,28 @@ void finish_composites(const Grounding& grounding, Domain& domain) {
     }
 }
 
+/// Concepts that say what they consist of in their own space; the others once, for all spaces together.
+void lint_composites(const Theory& theory, Domain& domain) {
+    for (const CompositeSpace& composite : domain.composites) {
+        Space own = composite.space;
+        std::erase_if(own.concepts,
+                      [&](const Concept& each) { return theory.concepts[theory.find(each.iri)].group < 0; });
+        lint(theory, own, "composite part", domain.warnings);
+    }
+    const std::vector<Iri> unsatisfiable = domain.unsatisfiable();
+    for (const NamedConcept& named : theory.concepts) {
+        if (named.level != Level::composite || named.group >= 0) continue;
+        const std::string name = owl::local_name(named.iri);
+        if (named.definition < 0)
+            domain.warnings.push_back(name +
+                                      " has only necessary conditions, so no composite part can ever be proved to be " +
+                                      with_article(name) + "; did you mean EquivalentTo?");
+        else if (domain.composites.empty() || std::ranges::binary_search(unsatisfiable, named.iri))
+            domain.warnings.push_back("No composite part can be " + with_article(name) +
+                                      ": no hasPart says what it consists of, or its axioms contradict each other.");
+    }
+}
+
 }  // namespace
 
 Domain compile(owl::Ontology ontology, const CompileOptions& options) {
@@ -194,8 +216,7 @@ Domain compile(owl::Ontology ontology, const CompileOptions& options) {
         if (range.values.empty())
             domain.warnings.push_back(owl::local_name(range.iri) + " has no values; put classes below it.");
     lint(theory, domain.regions, "region", domain.warnings);
-    for (const CompositeSpace& composite : domain.composites)
-        lint(theory, composite.space, "composite part", domain.warnings);
+    lint_composites(theory, domain);
     lint(theory, domain.objects, "object", domain.warnings);
     domain.ontology = std::move(ontology);
     domain.grounding = std::move(grounding);

@@ -43,10 +43,10 @@ Conclusions conclude_object(const Domain& domain, const Knowledge& knowledge, st
         if (knowledge.complete)
             assembled = put_together(grounding.theory, grounding.assembly, domain.regions.all(), conclusions.regions,
                                      knowledge.connected);
-        conclusions.object = objects.of(
-            assembled ? assembled->counts
-                      : with_any_composites(parts, objects.counts, reachable_counts(parts, conclusions.regions),
-                                            !knowledge.complete));
+        conclusions.object = objects.of(assembled ? assembled->counts
+                                                  : with_any_composites(parts, objects.counts,
+                                                                        reachable_counts(parts, conclusions.regions),
+                                                                        !knowledge.complete));
         if (assembled) conclusions.composites = std::move(assembled->composites);
     } else {
         const std::vector<Counts> counts = reachable_counts(parts, conclusions.regions);

@@ -50,8 +50,8 @@ bool is_below(const Domain& domain, const Iri& a, const Iri& b) {
     const std::optional<Sort> sub = sort_of(domain, a), super = sort_of(domain, b);
     if (sub && super)
         return *sub == *super && std::ranges::all_of(spaces_of(domain, *sub), [&](const Space* space) {
-                   return where_in(*space, a).is_subset_of(where_in(*space, b));
-               });
+            return where_in(*space, a).is_subset_of(where_in(*space, b));
+        });
     if (sub) {
         if (b != core_term("Incompatible")) return b == core_term(top_of(*sub));
         return std::ranges::all_of(spaces_of(domain, *sub), [&](const Space* space) {
@@ -62,9 +62,9 @@ bool is_below(const Domain& domain, const Iri& a, const Iri& b) {
         });
     }
     if (super)
-        return a == core_term(top_of(*super)) && std::ranges::all_of(spaces_of(domain, *super), [&](const Space* space) {
-                   return space->all().is_subset_of(where_in(*space, b));
-               });
+        return a == core_term(top_of(*super)) &&
+               std::ranges::all_of(spaces_of(domain, *super),
+                                   [&](const Space* space) { return space->all().is_subset_of(where_in(*space, b)); });
     for (const RangeConcept& range : domain.ranges) {
         const bool is_value = std::ranges::any_of(range.values, [&](const auto& value) { return value.iri == a; });
         if (is_value && (b == range.iri || b == core_term("Feature"))) return true;

@@ -117,7 +117,7 @@ struct Domain {
     owl::Ontology ontology;
     std::vector<RangeConcept> ranges;
     std::vector<MeasuredProperty> numbers;
-    Space regions;  ///< layer S1: the configurations of one region
+    Space regions;                           ///< layer S1: the configurations of one region
     std::vector<CompositeSpace> composites;  ///< each after those that it is made of; mostly none
     Space objects;  ///< the highest layer (S2 without composite parts): one object, over its `parts` variables
     /// For each variable of `objects` the configurations of a region that count as such a part; same order. Empty set

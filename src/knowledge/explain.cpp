@@ -56,11 +56,10 @@ public:
                            return !composite.possible.is_empty() &&
                                   composite.possible.is_subset_of(layer.concepts[goal_]);
                        });
-            counts = assembled
-                         ? std::move(assembled->counts)
-                         : with_any_composites(
-                               parts, possible_counts(theory_, assembly, regions.space.all(), false, limit),
-                               reachable_counts(parts, sets), !complete);
+            counts = assembled ? std::move(assembled->counts)
+                               : with_any_composites(
+                                     parts, possible_counts(theory_, assembly, regions.space.all(), false, limit),
+                                     reachable_counts(parts, sets), !complete);
         } else {
             counts = reachable_counts(parts, sets);
             if (!complete) counts = with_any_more(parts, counts, types_within(parts, regions.space.all()), limit);

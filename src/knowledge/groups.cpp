@@ -109,7 +109,8 @@ void find_groups(Theory& theory, Grounder& grounder, std::span<const Mentions> m
 
     std::vector<int> roots;  // one concept of each kind of group
     for (std::size_t id = 0; id < count; ++id)
-        if (speaks[id] && same.find(static_cast<int>(id)) == static_cast<int>(id)) roots.push_back(static_cast<int>(id));
+        if (speaks[id] && same.find(static_cast<int>(id)) == static_cast<int>(id))
+            roots.push_back(static_cast<int>(id));
     for (std::size_t id = 0; id < count; ++id)
         if (speaks[id])
             theory.concepts[id].group =

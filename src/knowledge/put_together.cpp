@@ -8,9 +8,9 @@
 
 // Which composite parts one mesh has, and so what its object counts. When every region is known, the groups are plain
 // to see: layer by layer, the regions that belong to a kind of group, and the composite parts of lower layers that do,
-// fall into connected sets. Where regions are still open every way to decide them is tried; but only regions that may be
-// in a group matter, and of those only what no class of parts tells apart; and what does not touch is independent, so
-// ways multiply within a connected set of such regions only. What holds in each of the ways is certain.
+// fall into connected sets. Where regions are still open every way to decide them is tried; but only regions that may
+// be in a group matter, and of those only what no class of parts tells apart; and what does not touch is independent,
+// so ways multiply within a connected set of such regions only. What holds in each of the ways is certain.
 //
 // A composite part may be open itself, when it has a concept without definition; then each of its readings is a way.
 
@@ -32,10 +32,10 @@ Counts counts_of(const Parts& parts, const auto& is_in) {
 struct Contributions {
     /// By cell of the configurations of a region.
     std::vector<Cell> cells;
-    std::vector<std::vector<Counts>> to_group;   ///< [cell][group]
-    std::vector<std::vector<char>> in_group;     ///< [cell][group]: belongs to it
-    std::vector<Counts> to_object;               ///< [cell]
-    std::vector<char> is_grouped;                ///< [cell]: belongs to some group
+    std::vector<std::vector<Counts>> to_group;  ///< [cell][group]
+    std::vector<std::vector<char>> in_group;    ///< [cell][group]: belongs to it
+    std::vector<Counts> to_object;              ///< [cell]
+    std::vector<char> is_grouped;               ///< [cell]: belongs to some group
     /// By group, then by cell of the configurations of its composite parts.
     std::vector<std::vector<Cell>> composite_cells;
     std::vector<std::vector<std::vector<Counts>>> composite_to_group;  ///< [group][cell][outer group]
@@ -114,7 +114,8 @@ public:
         for (const auto& [a, b] : connected) {
             const auto i = std::ranges::find(regions_, a) - regions_.begin();
             const auto j = std::ranges::find(regions_, b) - regions_.begin();
-            if (static_cast<std::size_t>(i) == regions_.size() || static_cast<std::size_t>(j) == regions_.size()) continue;
+            if (static_cast<std::size_t>(i) == regions_.size() || static_cast<std::size_t>(j) == regions_.size())
+                continue;
             touching_[static_cast<std::size_t>(i)] |= Regions{1} << j;
             touching_[static_cast<std::size_t>(j)] |= Regions{1} << i;
         }
@@ -184,12 +185,10 @@ private:
         const CompositeLayer& composite = assembly_.composites[group];
         Counts counts = 0;
         for (std::size_t i = 0; i < regions_.size(); ++i)
-            if ((parts[next] >> i & 1) != 0)
-                counts = composite.parts.sum(counts, all_.to_group[choice_[i]][group]);
+            if ((parts[next] >> i & 1) != 0) counts = composite.parts.sum(counts, all_.to_group[choice_[i]][group]);
         const std::vector<int>& inner = theory_.groups[group].inner;
         for (const Item& item : items_)
-            if ((item.regions & ~parts[next]) == 0 &&
-                std::ranges::binary_search(inner, static_cast<int>(item.group)))
+            if ((item.regions & ~parts[next]) == 0 && std::ranges::binary_search(inner, static_cast<int>(item.group)))
                 counts = composite.parts.sum(counts, all_.composite_to_group[item.group][item.cell][group]);
         if (!std::ranges::binary_search(composite.objects.counts, counts))
             throw std::logic_error("put_together: a composite part that nothing foresaw");
@@ -295,7 +294,8 @@ std::optional<Assembled> put_together(const Theory& theory, const Assembly& asse
         combine(cluster.counts());
         for (CompositePart& part : cluster.certain()) result.composites.push_back(std::move(part));
     }
-    std::ranges::sort(result.composites, {}, [](const CompositePart& part) { return std::pair(part.group, part.regions); });
+    std::ranges::sort(result.composites, {},
+                      [](const CompositePart& part) { return std::pair(part.group, part.regions); });
     result.counts.assign(counts.begin(), counts.end());
     return result;
 }

@@ -14,8 +14,8 @@
 
 namespace partonomy::knowledge {
 
-/// What a class expression speaks of. A *whole* has parts, and so far nothing else is known of it: a composite part when
-/// it is itself a part of something, else an object.
+/// What a class expression speaks of. A *whole* has parts, and so far nothing else is known of it: a composite part
+/// when it is itself a part of something, else an object.
 enum class Level { unknown, feature, region, whole, composite, object };
 
 /// A term of the core ontology: core_term("Region").
@@ -35,12 +35,12 @@ using FormulaId = int;
 struct Formula {
     enum class Kind { truth, falsity, conjunction, disjunction, negation, choice, named, parts };
     Kind kind = Kind::truth;
-    int index = -1;                   ///< choice: feature variable; named: concept; parts: formula of the part class
-    unsigned threshold = 0;           ///< parts: at least so many, >= 1
-    ConfigurationSet values;          ///< choice: the values that make it true
-    owl::ClassPointer part_class;     ///< parts: as written
-    Level part_level = Level::region; ///< parts: region or composite
-    std::vector<FormulaId> operands;  ///< conjunction, disjunction, negation
+    int index = -1;                    ///< choice: feature variable; named: concept; parts: formula of the part class
+    unsigned threshold = 0;            ///< parts: at least so many, >= 1
+    ConfigurationSet values;           ///< choice: the values that make it true
+    owl::ClassPointer part_class;      ///< parts: as written
+    Level part_level = Level::region;  ///< parts: region or composite
+    std::vector<FormulaId> operands;   ///< conjunction, disjunction, negation
 };
 
 struct NamedConcept {
@@ -162,10 +162,10 @@ using Counts = std::uint64_t;
 /// The classes of parts that the concepts of an object, or of a composite part, count.
 struct Parts {
     struct PartClass {
-        ConfigurationSet where;  ///< configurations of a region
+        ConfigurationSet where;                    ///< configurations of a region
         std::vector<ConfigurationSet> composites;  ///< by group: configurations of a composite part; mostly empty
-        unsigned cap = 0;        ///< highest threshold
-        unsigned shift = 0;      ///< of its count in Counts
+        unsigned cap = 0;                          ///< highest threshold
+        unsigned shift = 0;                        ///< of its count in Counts
     };
     struct Atom {
         std::size_t part;

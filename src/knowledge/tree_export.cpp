@@ -38,7 +38,7 @@ std::string to_json(const DecisionTree& tree, const Domain& domain) {
     Json json;
     json["format"] = "partonomy decision tree 1";
     json["ontology"] = domain.ontology.iri;
-    json["layer"] = &space == &domain.objects ? domain.object_layer() : 1;
+    json["layer"] = space.concepts.empty() ? 1 : domain.layer(space.concepts.front().iri);
     json["product"] = to_number(space.product_text());
     json["configurations"] = to_number(space.all().count_text());
     json["possible"] = to_number(space.possible.count_text());

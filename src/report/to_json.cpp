@@ -39,6 +39,13 @@ Json part_to_json(const AnnotatedPart& part) {
     return json;
 }
 
+Json composite_to_json(const AnnotatedComposite& composite) {
+    return {{"id", composite.id},
+            {"concepts", composite.concepts},
+            {"parts", composite.parts},
+            {"composites", composite.composites}};
+}
+
 Json trace_to_json(const TraceEntry& entry) {
     Json json;
     json["kind"] = entry.kind;
@@ -92,6 +99,7 @@ std::string to_json(const Annotation& annotation) {
     json["object"]["score"] = annotation.score;
     json["object"]["all_classes"] = annotation.all_classes;
     json["parts"] = list_of(annotation.parts, part_to_json);
+    json["composites"] = list_of(annotation.composites, composite_to_json);
     json["questions"] = questions_to_json(annotation.questions);
     json["trace"] = list_of(annotation.trace, trace_to_json);
     json["diagnosis"] = list_of(annotation.diagnosis, diagnosis_to_json);

@@ -19,9 +19,9 @@ using Names = std::set<std::string>;
 
 /// A region, a composite part or the object.
 struct Individual {
-    int kind = -1;           ///< of a composite part
-    std::string value;       ///< of a region
-    std::set<int> regions;   ///< of a composite part
+    int kind = -1;          ///< of a composite part
+    std::string value;      ///< of a region
+    std::set<int> regions;  ///< of a composite part
     std::vector<const Individual*> parts;
     bool is_region() const { return !value.empty(); }
 };
@@ -30,8 +30,8 @@ struct Random {
     Ontology ontology;
     std::vector<std::string> values{"a", "b", "c"};
     std::map<std::string, ClassPointer> definitions;
-    std::map<std::string, int> kinds;         ///< of composite concepts; absent: any
-    std::vector<Names> mentions;              ///< by kind
+    std::map<std::string, int> kinds;  ///< of composite concepts; absent: any
+    std::vector<Names> mentions;       ///< by kind
     std::vector<std::string> objects;
     std::vector<std::pair<ClassPointer, ClassPointer>> constraints;  ///< on composite parts
 
@@ -307,7 +307,8 @@ TEST(CompositesRandom, ConclusionsAreWhatEveryChoiceShares) {
         for (const CompositePart& part : known.composites) {
             Names names;
             const Space& space = domain.composites[static_cast<std::size_t>(part.group)].space;
-            for (const ConceptId c : entailed(space, part.possible)) names.insert(owl::local_name(space.concepts[c].iri));
+            for (const ConceptId c : entailed(space, part.possible))
+                names.insert(owl::local_name(space.concepts[c].iri));
             ours.insert({{part.regions.begin(), part.regions.end()}, names});
         }
         for (const auto& [key, value] : found)

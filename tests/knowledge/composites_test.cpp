@@ -16,8 +16,10 @@ Ontology furniture() {
     for (const char* name : {"Seat", "Leg", "Rest", "Head"})
         ontology.same(name, both({mini::name("Region"), some("hasKind", std::string(name) + "Kind")}));
     ontology
-        .same("Chair", both({name("Object"), exactly(1, name("Seat")), some("hasPart", "Back"), at_least(3, name("Leg"))}))
-        .same("Stool", both({name("Object"), some("hasPart", "Seat"), at_most(0, name("Rest")), at_most(0, name("Head"))}));
+        .same("Chair",
+              both({name("Object"), exactly(1, name("Seat")), some("hasPart", "Back"), at_least(3, name("Leg"))}))
+        .same("Stool",
+              both({name("Object"), some("hasPart", "Seat"), at_most(0, name("Rest")), at_most(0, name("Head"))}));
     return ontology;
 }
 
@@ -161,7 +163,8 @@ TEST(Composites, WhatDoesNotFitIsRefused) {
     EXPECT_NE(refusal(with_back().same("X", both({name("CompositePart"), some("hasKind", "SeatKind")})))
                   .find("hasKind is a feature of regions, and here a composite part is meant"),
               std::string::npos);
-    EXPECT_NE(refusal(with_back().same("X", both({name("Back"), name("Seat")}))).find("Seat is a region where a composite part is meant"),
+    EXPECT_NE(refusal(with_back().same("X", both({name("Back"), name("Seat")})))
+                  .find("Seat is a region where a composite part is meant"),
               std::string::npos);
     EXPECT_NE(refusal(with_back().same("X", some("hasPart", either({name("Back"), name("Seat")})))).find("is meant"),
               std::string::npos);
@@ -171,4 +174,16 @@ TEST(Composites, WhatDoesNotFitIsRefused) {
                           .same("B", both({name("CompositePart"), some("hasPart", "A1")})))
                   .find("mini.ttl"),
               std::string::npos);
+}
+
+TEST(Composites, WhatCanNeverBeProvedIsTold) {
+    Ontology ontology = with_back();
+    ontology.sub("Cover", "CompositePart").same("Padded", either({name("Back"), name("Cover")}));
+    const Domain domain = compile(ontology.result);
+    ASSERT_EQ(domain.warnings.size(), 1U);
+    EXPECT_NE(domain.warnings[0].find("Cover has only necessary conditions, so no composite part can"),
+              std::string::npos);
+    const Conclusions known = conclude(domain, regions({0, 2}, {{0, 1}}));
+    ASSERT_EQ(known.composites.size(), 1U);
+    EXPECT_EQ(names(domain.composites[0].space, known.composites[0].possible), (Names{"Back", "Padded"}));
 }

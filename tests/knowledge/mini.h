@@ -17,8 +17,9 @@ using owl::ClassKind;
 using owl::ClassPointer;
 
 inline owl::Iri iri(const std::string& name) {
-    static const std::set<std::string> core{"Region",  "Object",     "Incompatible", "Feature", "hasPart",      "measure",
-                                            "measure", "membership", "criterion",    "cost",    "question",     "CompositePart"};
+    static const std::set<std::string> core{"Region",    "Object",  "Incompatible", "Feature",
+                                            "hasPart",   "measure", "measure",      "membership",
+                                            "criterion", "cost",    "question",     "CompositePart"};
     if (name == "Thing" || name == "Nothing") return "http://www.w3.org/2002/07/owl#" + name;
     return (core.contains(name) ? owl::core_prefix : "urn:test#") + name;
 }
