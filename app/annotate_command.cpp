@@ -145,9 +145,12 @@ std::string summary(const Annotation& annotation, const fs::path& folder) {
         parts += fmt::format("{}{}{}", parts.empty() ? "" : ", ", name, count > 1 ? fmt::format(" x{}", count) : "");
     const std::string classes =
         annotation.classes.empty() ? "not recognised" : fmt::format("{}", fmt::join(annotation.classes, ", "));
-    return fmt::format("{}: {} ({:.2f}): {}; SF {}, SI {} -> {}", annotation.mesh_file, classes, annotation.score,
+    std::string related;  // only where the ontology has relations or composite parts
+    for (const char* kind : {"T", "TF"})
+        if (annotation.questions.at(kind) > 0) related += fmt::format(", {} {}", kind, annotation.questions.at(kind));
+    return fmt::format("{}: {} ({:.2f}): {}; SF {}, SI {}{} -> {}", annotation.mesh_file, classes, annotation.score,
                        parts.empty() ? "no parts" : parts, annotation.questions.at("SF"), annotation.questions.at("SI"),
-                       folder.string());
+                       related, folder.string());
 }
 
 /// At least one class that is no diagnosis.

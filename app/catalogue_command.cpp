@@ -3,9 +3,18 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
+#include "algorithms/relations.h"
 #include "app/commands.h"
 
 namespace partonomy::app {
+
+namespace {
+
+const char* word_of(Signature signature) {
+    return signature == Signature::find_all ? "SF" : signature == Signature::is_a ? "SI" : "T";
+}
+
+}  // namespace
 
 void add_catalogue_command(CLI::App& app, Run& run) {
     auto ontology = std::make_shared<OntologyArguments>();
@@ -17,12 +26,14 @@ void add_catalogue_command(CLI::App& app, Run& run) {
             const knowledge::Domain domain = ontology->load();
             fmt::print("{:<9} {:<18} {:>5}  {}\n", "signature", "concept", "cost", "how");
             for (const ElementaryAlgorithm& algorithm : make_catalogue(domain).algorithms)
-                fmt::print("{:<9} {:<18} {:>5}  {}{}\n", algorithm.signature == Signature::find_all ? "SF" : "SI",
-                           algorithm.name, algorithm.cost, algorithm.method,
-                           algorithm.needs_metres ? " (needs a unit)" : "");
+                fmt::print("{:<9} {:<18} {:>5}  {}{}\n", word_of(algorithm.signature), algorithm.name, algorithm.cost,
+                           algorithm.method, algorithm.needs_metres ? " (needs a unit)" : "");
             fmt::print("\n{:<16} {:<8} {}\n", "measure", "unit", "what it is");
             for (const Measure& measure : all_measures())
                 fmt::print("{:<16} {:<8} {}\n", measure.name, measure.unit, measure.description);
+            fmt::print("\n{:<18} {:<8} {:<8} {}\n", "between regions", "regions", "unit", "what it is");
+            for (const RelationMeasure& measure : all_relation_measures())
+                fmt::print("{:<18} {:<8} {:<8} {}\n", measure.name, measure.arity, measure.unit, measure.description);
             return static_cast<int>(recognised);
         };
     });

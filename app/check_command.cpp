@@ -31,14 +31,17 @@ ordered_json number(const std::string& digits) {
     return digits;
 }
 
+std::string words_of(const knowledge::Variable& variable) {
+    if (variable.kind == knowledge::VariableKind::relation) return to_manchester(*variable.part_class);
+    if (variable.kind == knowledge::VariableKind::parts)
+        return fmt::format("hasPart min {} {}", variable.threshold, to_manchester(*variable.part_class));
+    return owl::local_name(variable.iri);
+}
+
 ordered_json space_as_json(const Space& space) {
     ordered_json variables = ordered_json::array();
     for (const knowledge::Variable& variable : space.variables)
-        variables.push_back({{"variable", variable.kind == knowledge::VariableKind::parts
-                                              ? fmt::format("hasPart min {} {}", variable.threshold,
-                                                            to_manchester(*variable.part_class))
-                                              : owl::local_name(variable.iri)},
-                             {"values", variable.values}});
+        variables.push_back({{"variable", words_of(variable)}, {"values", variable.values}});
     return {{"concepts", concepts_of(space)},
             {"variables", variables},
             {"product", number(space.product_text())},
@@ -49,10 +52,10 @@ ordered_json space_as_json(const Space& space) {
 void print_space(const std::string& title, const Space& space) {
     fmt::print("{}\n  concepts: {}\n  questions about:", title, fmt::join(concepts_of(space), ", "));
     for (const knowledge::Variable& variable : space.variables)
-        if (variable.kind == knowledge::VariableKind::parts)
-            fmt::print(" [hasPart min {} {}]", variable.threshold, to_manchester(*variable.part_class));
+        if (variable.part_class)
+            fmt::print(" [{}]", words_of(variable));
         else
-            fmt::print(" {} ({})", owl::local_name(variable.iri), fmt::join(variable.values, ", "));
+            fmt::print(" {} ({})", words_of(variable), fmt::join(variable.values, ", "));
     fmt::print("\n  configurations: {} of {} satisfy the axioms, {} are possible\n", space.all().count_text(),
                space.product_text(), space.possible.count_text());
 }

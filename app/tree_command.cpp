@@ -63,6 +63,7 @@ int run_tree(const Arguments& arguments) {
     plan.cost = [&](knowledge::Question question) -> std::optional<double> {
         if (!of_regions) return 1.0;  // answered by counting parts
         const ElementaryAlgorithm* algorithm = catalogue.find(Signature::is_a, question);
+        if (!algorithm) algorithm = catalogue.find(Signature::related, question);
         return algorithm ? std::optional(algorithm->cost) : std::nullopt;
     };
     if (!arguments.every_configuration)

@@ -13,8 +13,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/relations.h"
 #include "base/errors.h"
 #include "base/spelling.h"
+#include "knowledge/relations.h"
 #include "shape/membership.h"
 
 namespace partonomy {
@@ -27,23 +29,53 @@ using knowledge::VariableKind;
 
 constexpr double find_all_cost = 20;  ///< one `find all` against one `is a`: it browses the whole mesh (paper §5.2.3)
 
+constexpr double related_cost = 2;  ///< T, some of them: it looks at other regions, too
+
 /// Shapes that find_parts cuts: what a region of a box-like partition can be told to be.
 bool has_find_all(const std::string& local_name) {
     return local_name == "Board" || local_name == "Stick" || local_name == "Cube";
 }
 
-const Measure& require_measure(const Domain& domain, const owl::Iri& iri, const std::string& name) {
-    if (const Measure* measure = find_measure(name)) return *measure;
-    const Measure* nearest = &all_measures()[0];
-    for (const Measure& measure : all_measures())
-        if (edit_distance(name, measure.name) < edit_distance(name, nearest->name)) nearest = &measure;
+/// Where an annotation of `iri` names a measure.
+owl::Source source_of(const Domain& domain, const owl::Iri& iri, const std::string& measure) {
     owl::Source source;
     if (const auto found = domain.ontology.annotations.find(iri); found != domain.ontology.annotations.end())
         for (const owl::Annotation& annotation : found->second)
-            if (annotation.literal.value.find(name) != std::string::npos) source = annotation.source;
+            if (annotation.literal.value.find(measure) != std::string::npos) source = annotation.source;
+    return source;
+}
+
+/// The measure of that name, or an error that tells the nearest.
+template <typename Measures>
+const auto& require(const Measures& measures, const Domain& domain, const owl::Iri& iri, const std::string& name) {
+    const auto* nearest = &measures[0];
+    for (const auto& measure : measures) {
+        if (name == measure.name) return measure;
+        if (edit_distance(name, measure.name) < edit_distance(name, nearest->name)) nearest = &measure;
+    }
+    const owl::Source source = source_of(domain, iri, name);
     throw OntologyError(at(source.file, source.line,
                            fmt::format("{}: there is no measure \"{}\"; did you mean \"{}\"?", owl::local_name(iri),
                                        name, nearest->name)));
+}
+
+const Measure& require_measure(const Domain& domain, const owl::Iri& iri, const std::string& name) {
+    return require(all_measures(), domain, iri, name);
+}
+
+/// Relations measure as many regions as they link.
+void check_relations(const Domain& domain) {
+    for (const knowledge::Relation& relation : domain.relations)
+        for (const knowledge::Criterion& criterion : relation.criteria) {
+            const RelationMeasure& measure = require(all_relation_measures(), domain, relation.iri, criterion.measure);
+            if (measure.arity == relation.arity) continue;
+            const owl::Source source = source_of(domain, relation.iri, criterion.measure);
+            throw OntologyError(
+                at(source.file, source.line,
+                   fmt::format("{} links {} regions (core:arity, 2 without it), but \"{}\" measures "
+                               "{}; change one of them",
+                               owl::local_name(relation.iri), relation.arity, measure.name, measure.arity)));
+        }
 }
 
 double number_score(double x, double limit, bool closed) {
@@ -62,6 +94,7 @@ const ElementaryAlgorithm* Catalogue::find(Signature signature, Question questio
 }
 
 Catalogue make_catalogue(const Domain& domain) {
+    check_relations(domain);
     Catalogue catalogue;
     const auto& variables = domain.regions.variables;
     for (int v = 0; v < static_cast<int>(variables.size()); ++v) {
@@ -101,6 +134,23 @@ Catalogue make_catalogue(const Domain& domain) {
                     {Signature::is_a, {v, i}, name, number.measure, 1, measure.needs_metres});
             }
         }
+    }
+    for (int v = 0; v < static_cast<int>(variables.size()); ++v) {
+        const Variable& variable = variables[static_cast<std::size_t>(v)];
+        if (variable.kind != VariableKind::relation || !variable.answerable) continue;
+        const knowledge::NodeTest& test = domain.relational[static_cast<std::size_t>(variable.index)].test;
+        double cost = 0;
+        std::string method;
+        for (std::size_t r = 0; r < domain.relations.size(); ++r) {
+            const knowledge::Relation& relation = domain.relations[r];
+            if (!may_pass(test, domain.relations, r)) continue;
+            cost = std::max(cost, relation.cost.value_or(related_cost));
+            for (const knowledge::Criterion& c : relation.criteria)
+                method += fmt::format("{}{} in [{} {} {} {}]", method.empty() ? "" : " and ", c.measure, c.a1, c.a2,
+                                      c.a3, c.a4);
+        }
+        catalogue.algorithms.push_back(
+            {Signature::related, {v, 0}, to_manchester(*variable.part_class), method, cost, false});
     }
     return catalogue;
 }

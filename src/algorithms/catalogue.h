@@ -14,6 +14,7 @@ namespace partonomy {
 enum class Signature {
     find_all,  ///< SF: all regions that are C, inside a region
     is_a,      ///< SI: is a region a C
+    related,   ///< T: are these regions in a relation
 };
 
 /// One elementary algorithm: it answers one question.
@@ -27,14 +28,14 @@ struct ElementaryAlgorithm {
 };
 
 /// All elementary algorithms for a domain: an `is a` for every elementary concept with criteria and every number that
-/// axioms mention, a `find all` for the box shapes.
+/// axioms mention, a `find all` for the box shapes, a T for every statement about relations all of which have criteria.
 struct Catalogue {
     std::vector<ElementaryAlgorithm> algorithms;
     [[nodiscard]] const ElementaryAlgorithm* find(Signature signature, knowledge::Question question) const;
 };
 
 /// Throws OntologyError when core:measure or core:criterion names a measure that does not exist (with the nearest right
-/// name).
+/// name), or one of another number of regions than the relation's.
 [[nodiscard]] Catalogue make_catalogue(const knowledge::Domain& domain);
 
 /// Score in [0, 1] of "the region is what the question says": >= 0.5 means yes. nullopt when nothing can tell: no

@@ -8,8 +8,9 @@
  * among those triangles that come as near as twenty times the usual tolerance (regions cut from several shells, or by
  * a scan, do not share vertices). The triangles of one region are swept along x past those of the other, and what
  * cannot beat the smallest distance so far is skipped. Distance of two triangles (Ericson, "Real-Time Collision
- * Detection", 2005, chapter 5): 0 when an edge of one pierces the other, else the smallest of vertex to triangle (6) and
- * edge to edge (9). Cost: O(n log n) and the pairs that overlap along x, where n triangles are near the other region. */
+ * Detection", 2005, chapter 5): 0 when an edge of one pierces the other, else the smallest of vertex to triangle (6)
+ * and edge to edge (9). Cost: O(n log n) and the pairs that overlap along x, where n triangles are near the other
+ * region. */
 
 #include "algorithms/relations.h"
 
@@ -72,8 +73,7 @@ double distance_to_triangle(const Vec3& p, const Triangle& t) {
     const double size = normal.norm();
     if (size > 0) {
         bool inside = true;
-        for (std::size_t i = 0; i < 3; ++i)
-            inside &= (t[(i + 1) % 3] - t[i]).cross(p - t[i]).dot(normal) >= 0;
+        for (std::size_t i = 0; i < 3; ++i) inside &= (t[(i + 1) % 3] - t[i]).cross(p - t[i]).dot(normal) >= 0;
         if (inside) return std::abs((p - t[0]).dot(normal)) / size;
     }
     double nearest = infinity;
@@ -88,7 +88,8 @@ double distance_of_segments(const Vec3& a, const Vec3& b, const Vec3& c, const V
     double nearest = std::min({(a - nearest_on_segment(a, c, d)).norm(), (b - nearest_on_segment(b, c, d)).norm(),
                                (c - nearest_on_segment(c, a, b)).norm(), (d - nearest_on_segment(d, a, b)).norm()});
     if (determinant > 1e-12 * uu * vv) {
-        const double s = (uv * v.dot(w) - vv * u.dot(w)) / determinant, t = (uu * v.dot(w) - uv * u.dot(w)) / determinant;
+        const double s = (uv * v.dot(w) - vv * u.dot(w)) / determinant,
+                     t = (uu * v.dot(w) - uv * u.dot(w)) / determinant;
         if (s >= 0 && s <= 1 && t >= 0 && t <= 1) nearest = std::min(nearest, (a + s * u - c - t * v).norm());
     }
     return nearest;
@@ -124,8 +125,9 @@ std::vector<std::pair<Triangle, std::pair<double, double>>> near_triangles(const
     for (const int t : of.part->region.triangles) {
         Triangle triangle;
         for (std::size_t i = 0; i < 3; ++i)
-            triangle[i] = frame * object.mesh.positions[static_cast<std::size_t>(
-                                      object.mesh.triangles[static_cast<std::size_t>(t)][i])];
+            triangle[i] =
+                frame *
+                object.mesh.positions[static_cast<std::size_t>(object.mesh.triangles[static_cast<std::size_t>(t)][i])];
         const Vec3 low = triangle[0].cwiseMin(triangle[1]).cwiseMin(triangle[2]);
         const Vec3 high = triangle[0].cwiseMax(triangle[1]).cwiseMax(triangle[2]);
         if (((low - box.high).array() > reach).any() || ((box.low - high).array() > reach).any()) continue;
@@ -199,7 +201,8 @@ const std::array<RelationMeasure, 6> measures = {{
     {"rise", 2, "height", "from the top of the reference up to the middle of the target", rise},
     {"side step", 2, "diagonal", "horizontal distance of the two boxes, 0 when one is over the other", side_step},
     {"level overlap", 2, "1", "common range of heights, as a fraction of the lower region's", level_overlap},
-    {"footprint overlap", 2, "1", "common ground of the two boxes, as fractions of the narrower ones", footprint_overlap},
+    {"footprint overlap", 2, "1", "common ground of the two boxes, as fractions of the narrower ones",
+     footprint_overlap},
     {"opening angle", 3, "degrees", "in the middle of the target, between the ways to the two references",
      opening_angle},
 }};

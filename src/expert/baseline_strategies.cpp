@@ -64,12 +64,14 @@ void run_naive(Session& session) {
     session.adopt_rest();
     identify_all(session, false);
     ask_open_numbers(session);
+    name_by_relations(session, knowledge::SplitCriterion::gain_per_cost);
 }
 
 void run_segment_then_identify(Session& session) {
     session.adopt_rest();
     identify_all(session, true);
     ask_open_numbers(session);
+    name_by_relations(session, knowledge::SplitCriterion::gain_per_cost);
 }
 
 }  // namespace partonomy

@@ -4,14 +4,17 @@
  * values of the range can no longer be told apart by a `find all` (only Cube is left), the pieces of the rest are
  * regions with that value inferred.
  * 2. Name. Each region walks the tree by `is a` questions until every concept that the expert defined is decided.
- * 3. Connect. Where the ontology has composite parts, it is found once which regions touch.
- * 4. Recognise. What the names leave open about the object (is its seat elongated?) is asked of the regions that decide
+ * 3. Relate. Names that hang on relations to other regions are asked for when those have their names, in rounds, as
+ * long as a round brings an answer.
+ * 4. Connect. Where the ontology has composite parts, it is found once which regions touch.
+ * 5. Recognise. What the names leave open about the object (is its seat elongated?) is asked of the regions that decide
  * it, the question about the object first, then the cheapest question about a region that answers it.
  *
  * The tree is never built here: a node is the set of configurations that are still possible, and its question is chosen
  * when the walk gets there, which gives the same walk as the saved tree (tested). Cost: a few microseconds a question.
  */
 
+#include <set>
 #include <span>
 
 #include "expert/session.h"
@@ -44,17 +47,37 @@ void cut(Session& session, SplitCriterion criterion) {
 void name(Session& session, SplitCriterion criterion) {
     PlanOptions plan;
     plan.criterion = criterion;
-    plan.wanted = session.wanted();
-    plan.cost = [&](Question question) { return session.is_a_cost(question); };
+    for (const ConceptId c : session.wanted())  // names that hang on relations wait for those of other regions
+        if (!session.domain().regions.concepts[static_cast<std::size_t>(c)].relational) plan.wanted.push_back(c);
+    plan.cost = [&](Question question) -> std::optional<double> {
+        const auto& variable = session.domain().regions.variables[static_cast<std::size_t>(question.variable)];
+        return variable.kind == knowledge::VariableKind::relation ? std::nullopt : session.is_a_cost(question);
+    };
+    if (plan.wanted.empty() && !session.wanted().empty()) return;  // every name hangs on relations
     const Planner planner(session.domain().regions, plan);
     for (int region = 0; region < session.region_count(); ++region)
         while (const auto question = planner.best(session.possible(region)))
             if (!session.ask(region, *question)) break;
 }
 
+/// What to ask of regions, and what was asked in vain.
+struct Askable {
+    explicit Askable(const Session& asked) : session(asked) {}
+    const Session& session;
+    int region = -1;  ///< the one in turn
+    std::set<std::pair<int, Question>> put_off;
+    [[nodiscard]] auto cost() const {
+        return [this](Question question) -> std::optional<double> {
+            if (put_off.contains({region, question})) return std::nullopt;
+            return session.is_a_cost(question);
+        };
+    }
+};
+
 /// A region and a question that may decide whether the object has `variable` of its parts conditions.
-std::optional<std::pair<int, Question>> question_for(const Session& session, const Planner& planner,
-                                                     const Conclusions& known, int variable) {
+std::optional<std::pair<int, Question>> question_for(Askable& askable, const Planner& planner, const Conclusions& known,
+                                                     int variable) {
+    const Session& session = askable.session;
     const knowledge::Domain& domain = session.domain();
     const auto at = static_cast<std::size_t>(variable);
     const std::span<const ConfigurationSet> conditions = domain.objects.variables[at].of_composites
@@ -64,6 +87,7 @@ std::optional<std::pair<int, Question>> question_for(const Session& session, con
         for (const ConfigurationSet& condition : conditions) {
             const ConfigurationSet& set = known.regions[static_cast<std::size_t>(region)];
             if (!set.intersects(condition) || set.is_subset_of(condition)) continue;
+            askable.region = region;
             if (const auto question = planner.best_about(set, condition)) return std::pair{region, *question};
         }
     return std::nullopt;
@@ -71,8 +95,9 @@ std::optional<std::pair<int, Question>> question_for(const Session& session, con
 
 void recognise(Session& session, SplitCriterion criterion) {
     const Space& objects = session.domain().objects;
+    Askable askable(session);
     PlanOptions about_regions;
-    about_regions.cost = [&](Question question) { return session.is_a_cost(question); };
+    about_regions.cost = askable.cost();
     const Planner planner(session.domain().regions, about_regions);
     PlanOptions plan;
     plan.criterion = criterion;
@@ -81,21 +106,53 @@ void recognise(Session& session, SplitCriterion criterion) {
         const Conclusions known = conclude(session.domain(), session.knowledge());
         if (known.contradiction) return;
         plan.cost = [&](Question question) -> std::optional<double> {
-            if (!question_for(session, planner, known, question.variable)) return std::nullopt;
+            if (!question_for(askable, planner, known, question.variable)) return std::nullopt;
             return 1.0;
         };
         const auto about_object = best_question(objects, known.object, plan);
         if (!about_object) return;
-        const auto about_region = question_for(session, planner, known, about_object->variable);
-        if (!about_region || !session.ask(about_region->first, about_region->second)) return;
+        const auto about_region = question_for(askable, planner, known, about_object->variable);
+        if (!about_region) return;
+        if (!session.ask(about_region->first, about_region->second)) askable.put_off.insert(*about_region);
     }
 }
 
 }  // namespace
 
+void name_by_relations(Session& session, SplitCriterion criterion) {
+    const Space& space = session.domain().regions;
+    if (session.domain().relational.empty()) return;
+    Askable askable(session);
+    PlanOptions plan;
+    plan.criterion = criterion;
+    plan.cost = askable.cost();
+    const Planner planner(space, plan);
+    const auto next_question = [&]() -> std::optional<Question> {
+        const ConfigurationSet& set = session.possible(askable.region);
+        for (const ConceptId c : session.wanted()) {
+            const ConfigurationSet& where = space.concepts[static_cast<std::size_t>(c)].where;
+            if (!set.intersects(where) || set.is_subset_of(where)) continue;
+            if (const auto question = planner.best_about(set, where)) return question;
+        }
+        return std::nullopt;
+    };
+    for (bool grown = true; grown;) {
+        grown = false;
+        askable.put_off.clear();
+        for (askable.region = 0; askable.region < session.region_count(); ++askable.region)
+            while (const auto question = next_question()) {
+                if (session.ask(askable.region, *question))
+                    grown = true;
+                else
+                    askable.put_off.emplace(askable.region, *question);
+            }
+    }
+}
+
 void run_expert(Session& session, SplitCriterion criterion) {
     cut(session, criterion);
     name(session, criterion);
+    name_by_relations(session, criterion);
     session.find_connections();
     recognise(session, criterion);
 }

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
-
-#include "algorithms/relations.h"
+#include <span>
 
 namespace partonomy {
 namespace {
@@ -27,6 +27,7 @@ private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+const std::string connected_iri = std::string(owl::core_prefix) + "Connected";
 const std::string shape_iri = std::string(owl::core_prefix) + "Shape";
 
 std::string region_name(int region) { return fmt::format("part {}", region + 1); }
@@ -123,20 +124,22 @@ void Session::find_connections() {
     const Stopwatch watch;
     connected_.emplace();
     ++find_related_count;
-    std::vector<std::pair<int, RegionPlace>> places;  // of what may belong to a composite part
+    std::vector<int> regions;  // that may belong to a composite part
     for (int region = 0; region < region_count(); ++region)
         if (std::ranges::any_of(domain_.composites, [&](const knowledge::CompositeSpace& composite) {
                 return possible(region).is_empty() || possible(region).intersects(composite.regions);
             }))
-            places.emplace_back(region, place_of(object_, part(region)));
+            regions.push_back(region);
+    std::span<const knowledge::Criterion> criteria(&touching(), 1);
+    for (const knowledge::Relation& relation : domain_.relations)
+        if (relation.iri == connected_iri && !relation.criteria.empty()) criteria = relation.criteria;
     double lowest = 1;
-    for (std::size_t i = 0; i < places.size(); ++i)
-        for (std::size_t j = i + 1; j < places.size(); ++j) {
+    for (std::size_t i = 0; i < regions.size(); ++i)
+        for (std::size_t j = i + 1; j < regions.size(); ++j) {
             const double score =
-                relation_score(std::span(&touching(), 1), object_, std::array{&places[i].second, &places[j].second})
-                    .value_or(0);
+                relation_score(criteria, object_, std::array{&place(regions[i]), &place(regions[j])}).value_or(0);
             lowest = std::min(lowest, std::max(score, 1 - score));
-            if (score >= 0.5) connected_->emplace_back(places[i].first, places[j].first);
+            if (score >= 0.5) connected_->emplace_back(regions[i], regions[j]);
         }
     TraceEntry entry;
     entry.kind = "TF";
@@ -164,7 +167,62 @@ std::optional<double> Session::ask_score(int region, Question question) {
     return score;
 }
 
+const RegionPlace& Session::place(int region) {
+    auto found = places_.find(region);
+    if (found == places_.end()) found = places_.emplace(region, place_of(object_, part(region))).first;
+    return found->second;
+}
+
+std::optional<double> Session::relate(const knowledge::RelationTuple& tuple) {
+    const auto [known, is_new] = related_.try_emplace(tuple);
+    if (!is_new) return known->second;
+    const Stopwatch watch;
+    const knowledge::Relation& relation = domain_.relations[tuple.relation];
+    std::vector<const RegionPlace*> places;
+    std::string references;
+    for (const int region : tuple.regions) {
+        places.push_back(&place(region));
+        if (places.size() > 1) references += (references.empty() ? "" : " and ") + region_name(region);
+    }
+    known->second = relation_score(relation.criteria, object_, places);
+    if (!known->second) return std::nullopt;
+    const double score = *known->second;
+    ++related_count;
+    TraceEntry entry;
+    entry.kind = "T";
+    entry.region = region_name(tuple.regions[0]);
+    entry.question = relation.question.empty()
+                         ? fmt::format("{}: {} {}", entry.region, owl::local_name(relation.iri), references)
+                         : fmt::format("{}: {} {}", entry.region, relation.question, references);
+    entry.answer = score >= 0.5 ? "yes" : "no";
+    entry.score = std::max(score, 1 - score);
+    entry.ms = watch.ms();
+    trace.push_back(std::move(entry));
+    return score;
+}
+
+std::optional<bool> Session::ask_relation(int region, Question question) {
+    const auto index =
+        static_cast<std::size_t>(domain_.regions.variables[static_cast<std::size_t>(question.variable)].index);
+    const knowledge::RelationAnswer answer =
+        answer_relation(domain_, domain_.relational[index], region, possible_, knowledge().complete,
+                        [&](const knowledge::RelationTuple& tuple) { return relate(tuple); });
+    if (answer.truth == knowledge::Truth::open) return std::nullopt;
+    const bool yes = answer.truth == knowledge::Truth::yes;
+    const ConfigurationSet before = possible(region);
+    learn(region, question, yes, answer.score);
+    if (trace.empty()) return yes;
+    std::vector<std::string>& inferred = trace.back().inferred;  // it may have taken no T, or several
+    inferred.push_back(fmt::format("{}: {}: {}", region_name(region), to_text(domain_.regions, question, domain_),
+                                   yes ? "yes" : "no"));
+    for (std::string& text : consequences(region, before, question)) inferred.push_back(std::move(text));
+    return yes;
+}
+
 std::optional<bool> Session::ask(int region, Question question) {
+    if (domain_.regions.variables[static_cast<std::size_t>(question.variable)].kind ==
+        knowledge::VariableKind::relation)
+        return ask_relation(region, question);
     const std::optional<double> score = ask_score(region, question);
     if (!score) return std::nullopt;
     const bool yes = *score >= 0.5;
@@ -215,6 +273,7 @@ knowledge::Knowledge Session::knowledge() const {
 
 std::optional<double> Session::is_a_cost(Question question) const {
     const ElementaryAlgorithm* algorithm = catalogue_.find(Signature::is_a, question);
+    if (!algorithm) algorithm = catalogue_.find(Signature::related, question);
     if (!algorithm || (algorithm->needs_metres && !object_.placement.metres_per_unit)) return std::nullopt;
     return algorithm->cost;
 }

@@ -1,12 +1,15 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "algorithms/catalogue.h"
+#include "algorithms/relations.h"
 #include "expert/annotation.h"
 #include "knowledge/explain.h"
+#include "knowledge/relations.h"
 
 namespace partonomy {
 
@@ -21,6 +24,8 @@ public:
     int find_all(knowledge::Question question);
 
     /// SI: asks whether a region is what the question says, and learns the answer. nullopt when no algorithm can tell.
+    /// A question about a relation runs T on the regions that matter, each once; nullopt, too, while the answer hangs
+    /// on what other regions are.
     std::optional<bool> ask(int region, knowledge::Question question);
 
     /// SI without learning: the score, counted and traced. For strategies that compare scores before they believe one.
@@ -63,7 +68,7 @@ public:
     [[nodiscard]] double uncovered_fraction() const { return uncovered_fraction_; }
 
     std::vector<TraceEntry> trace;
-    int find_all_count = 0, is_a_count = 0, find_related_count = 0;
+    int find_all_count = 0, is_a_count = 0, related_count = 0, find_related_count = 0;
 
 private:
     struct Candidate {
@@ -74,6 +79,10 @@ private:
     };
     static std::size_t index(int region) { return static_cast<std::size_t>(region); }
     int add_region(Candidate candidate);
+    std::optional<bool> ask_relation(int region, knowledge::Question question);
+    /// T, counted and traced; what was asked before is not asked again.
+    std::optional<double> relate(const knowledge::RelationTuple& tuple);
+    const RegionPlace& place(int region);
     /// What is known of a region now and was not in `before`, in words; not the answer to `asked` itself.
     [[nodiscard]] std::vector<std::string> consequences(int region, const knowledge::ConfigurationSet& before,
                                                         knowledge::Question asked) const;
@@ -94,6 +103,8 @@ private:
     std::vector<knowledge::Answer> answers_;
     std::vector<double> answer_scores_;
     std::optional<std::vector<std::pair<int, int>>> connected_;
+    std::map<int, RegionPlace> places_;  ///< of regions that relations were asked of; they point to parts_
+    std::map<knowledge::RelationTuple, std::optional<double>> related_;
 };
 
 /// How an object is questioned; the paper's Table 3 compares them.
@@ -102,6 +113,10 @@ enum class Strategy {
     naive,                  ///< every `find all` of the shapes, then every other `is a` on every region
     segment_then_identify,  ///< regions from a segmentation, then every `is a` on every region
 };
+
+/// Names what hangs on relations: asks of each region, as long as some answer is had, what names are still open for. An
+/// answer that hangs on the name of another region waits for it.
+void name_by_relations(Session& session, knowledge::SplitCriterion criterion);
 
 /// Asks until everything wanted is known or nothing more can be answered.
 void run_expert(Session& session, knowledge::SplitCriterion criterion);

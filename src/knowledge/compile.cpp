@@ -67,6 +67,24 @@ ConfigurationSet blurred(const Space& space, const ConfigurationSet& set) {
     return result;
 }
 
+/// Whether the definition of a concept of regions speaks of relations to other regions.
+bool rests_on_relations(const Theory& theory, int id) {
+    std::vector<char> seen(theory.concepts.size(), 0);
+    const auto visit = [&](const auto& self, FormulaId formula_id) -> bool {
+        const Formula& formula = theory.formulas[formula_id];
+        if (formula.kind == Formula::Kind::choice)
+            return static_cast<std::size_t>(formula.index) >= theory.ranges.size() + theory.numbers.size();
+        if (formula.kind == Formula::Kind::named && !seen[formula.index]) {
+            seen[formula.index] = 1;
+            const FormulaId definition = theory.concepts[formula.index].definition;
+            return definition >= 0 && self(self, definition);
+        }
+        return std::ranges::any_of(formula.operands, [&](FormulaId operand) { return self(self, operand); });
+    };
+    return !theory.relational.empty() && theory.concepts[id].definition >= 0 &&
+           visit(visit, theory.concepts[id].definition);
+}
+
 void finish_space(const Theory& theory, const Scope& scope, Subject subject, const Layer& layer, Space& space) {
     space = layer.space;
     space.possible = space.all();
@@ -84,7 +102,8 @@ void finish_space(const Theory& theory, const Scope& scope, Subject subject, con
         else if (has_primitives && provable)
             provable = !(where - blurred(space, where.complement())).is_empty();
         if (named.incompatible) space.possible -= where;
-        space.concepts.push_back({named.iri, where, named.incompatible, provable});
+        space.concepts.push_back(
+            {named.iri, where, named.incompatible, provable, rests_on_relations(theory, static_cast<int>(id))});
     }
 }
 
@@ -208,6 +227,15 @@ Domain compile(owl::Ontology ontology, const CompileOptions& options) {
     domain.ranges = theory.ranges;
     domain.numbers = theory.numbers;
     domain.warnings = theory.warnings;
+    domain.relations = theory.relations;
+    domain.relational = theory.relational;
+    for (std::size_t i = 0; i < theory.relational.size(); ++i)
+        for (const FormulaId formula : theory.relational_classes[i])
+            domain.relational[i].classes.push_back(evaluate(theory, regions, formula));
+    for (const Variable& variable : domain.regions.variables)
+        if (variable.kind == VariableKind::relation && !variable.answerable)
+            domain.warnings.push_back("No criterion tells whether \"" + to_manchester(*variable.part_class) +
+                                      "\" holds, so nothing can answer it and it stays open.");
     for (const MeasuredProperty& number : theory.numbers)
         if (number.measure.empty())
             domain.warnings.push_back(owl::local_name(number.iri) +

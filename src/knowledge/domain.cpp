@@ -65,6 +65,8 @@ bool is_below(const Domain& domain, const Iri& a, const Iri& b) {
         return a == core_term(top_of(*super)) &&
                std::ranges::all_of(spaces_of(domain, *super),
                                    [&](const Space* space) { return space->all().is_subset_of(where_in(*space, b)); });
+    const std::vector<std::pair<Iri, Iri>> relations = told_relations(domain.ontology);
+    if (std::ranges::binary_search(relations, std::pair(a, b))) return true;
     for (const RangeConcept& range : domain.ranges) {
         const bool is_value = std::ranges::any_of(range.values, [&](const auto& value) { return value.iri == a; });
         if (is_value && (b == range.iri || b == core_term("Feature"))) return true;
@@ -128,6 +130,7 @@ int Domain::layer(const Iri& iri) const {
     for (const RangeConcept& range : ranges)
         if (range.iri == iri || std::ranges::any_of(range.values, [&](const auto& value) { return value.iri == iri; }))
             return 0;
+    if (std::ranges::any_of(relations, [&](const Relation& relation) { return relation.iri == iri; })) return 0;
     return -1;
 }
 
@@ -153,7 +156,7 @@ std::vector<Iri> Domain::most_specific(const std::vector<Iri>& iris) const {
 }
 
 std::vector<std::pair<Iri, Iri>> Domain::hierarchy() const {
-    std::vector<std::pair<Iri, Iri>> pairs;
+    std::vector<std::pair<Iri, Iri>> pairs = told_relations(ontology);
     for (const RangeConcept& range : ranges) {
         pairs.emplace_back(range.iri, core_term("Feature"));
         for (const ElementaryConcept& value : range.values) {

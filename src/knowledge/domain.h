@@ -52,9 +52,40 @@ struct MeasuredProperty {
     std::vector<Interval> intervals;  ///< ascending, disjoint, covering the line
 };
 
+/// A relation between regions: UpFrom, Between …
+struct Relation {
+    Iri iri;
+    std::size_t arity = 2;            ///< regions that it links, the target included: 2 or 3
+    std::vector<Criterion> criteria;  ///< all must hold, the lowest score counts; empty: nothing can answer it
+    std::optional<double> cost;
+    std::string question;  ///< core:question, may be empty
+};
+
+/// What a class expression says of one relation node (N-ary Relation pattern): of which relation it is, and what the
+/// regions are that it links.
+struct NodeTest {
+    enum class Kind { relation, references, target, all, any, no };
+    Kind kind = Kind::all;
+    std::vector<char> relations;     ///< relation: which of Domain::relations
+    unsigned threshold = 1;          ///< references: at least so many are in the class
+    std::size_t part_class = 0;      ///< references, target: into RelationalFeature::classes
+    std::vector<NodeTest> operands;  ///< all, any, no
+};
+
+/// A feature of a region that is a relation to others: "is the target of at least one node that is UpFrom and has a
+/// Seat as reference".
+struct RelationalFeature {
+    bool of_target = true;   ///< the region is the target of the nodes, else one of their references
+    unsigned threshold = 1;  ///< at least so many nodes pass the test
+    NodeTest test;
+    std::vector<ConfigurationSet> classes;  ///< configurations of the regions that the test speaks of
+    owl::ClassPointer as_written;
+};
+
 enum class VariableKind {
     range,      ///< one value of a range concept
     number,     ///< one interval of a measured property
+    relation,   ///< a relation to other regions, that holds or not (yes is value 0)
     primitive,  ///< a named concept without sufficient conditions: holds or not, no question can tell
     parts,      ///< of an object or a composite part: has it at least `threshold` parts of a class
 };
@@ -65,11 +96,11 @@ struct Variable {
     Iri iri;  ///< of the range concept, data property or concept; empty for `parts`
     std::vector<std::string>
         values;                    ///< local names or words: "Board", "other", "<= 0.55", "yes"/"no" (yes is value 0)
-    int index = -1;                ///< into Domain::ranges or Domain::numbers, for those kinds
-    owl::ClassPointer part_class;  ///< for `parts`
+    int index = -1;                ///< into Domain::ranges, Domain::numbers or Domain::relational, for those kinds
+    owl::ClassPointer part_class;  ///< for `parts`; for `relation` the whole expression
     unsigned threshold = 0;        ///< for `parts`
     bool of_composites = false;    ///< for `parts`: the class is one of composite parts
-    bool answerable = true;        ///< false for `primitive`, and for a `number` that has no core:measure
+    bool answerable = true;        ///< false for `primitive`, and for what has no measure
 };
 
 /// A named concept of a layer and the configurations in which it holds.
@@ -78,6 +109,7 @@ struct Concept {
     ConfigurationSet where;
     bool incompatible = false;  ///< below core:Incompatible
     bool provable = true;       ///< has sufficient conditions
+    bool relational = false;    ///< of a region: its definition rests on relations to other regions
 };
 
 /// The set Ω of all configurations of one layer (paper §3.3.1): every choice of one value for each variable that the
@@ -117,6 +149,8 @@ struct Domain {
     owl::Ontology ontology;
     std::vector<RangeConcept> ranges;
     std::vector<MeasuredProperty> numbers;
+    std::vector<Relation> relations;
+    std::vector<RelationalFeature> relational;
     Space regions;                           ///< layer S1: the configurations of one region
     std::vector<CompositeSpace> composites;  ///< each after those that it is made of; mostly none
     Space objects;  ///< the highest layer (S2 without composite parts): one object, over its `parts` variables
@@ -126,8 +160,8 @@ struct Domain {
     /// Configurations of a region on which composite parts hang, what belongs to them and what they count; without
     /// repetition.
     std::vector<ConfigurationSet> composite_conditions;
-    /// Range concepts and their values are in layer 0, named concepts over S0 in layer 1, those of composite parts in
-    /// layer 2 or above, those of objects in object_layer(); -1 for anything else.
+    /// Range concepts and their values, and relations, are in layer 0, named concepts over S0 in layer 1, those of
+    /// composite parts in layer 2 or above, those of objects in object_layer(); -1 for anything else.
     [[nodiscard]] int layer(const Iri& iri) const;
     [[nodiscard]] int object_layer() const;
     /// Most specific of `iris`: those without a strict subclass among them; equivalent ones stay together. A diagnosis

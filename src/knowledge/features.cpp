@@ -23,8 +23,9 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 bool is_named(const owl::ClassPointer& expression) { return expression->kind == ClassKind::named; }
 
-std::set<Iri> below_feature(const owl::Ontology& ontology) {
-    std::set<Iri> found{core_term("Feature")};
+/// The class, and all that is told to be below it.
+std::set<Iri> told_below(const owl::Ontology& ontology, const Iri& top) {
+    std::set<Iri> found{top};
     for (bool grown = true; grown;) {
         grown = false;
         for (const Axiom& axiom : ontology.axioms) {
@@ -222,7 +223,7 @@ std::vector<MeasuredProperty::Interval> number_range(const owl::DataRange& range
 }
 
 std::vector<RangeConcept> find_ranges(const owl::Ontology& ontology) {
-    const std::set<Iri> features = below_feature(ontology);
+    const std::set<Iri> features = told_below(ontology, core_term("Feature"));
     std::vector<RangeConcept> ranges;
     std::map<Iri, Iri> range_of_value;
     for (const Axiom& axiom : ontology.axioms) {
@@ -248,6 +249,46 @@ std::vector<RangeConcept> find_ranges(const owl::Ontology& ontology) {
         ranges.push_back(std::move(found));
     }
     return ranges;
+}
+
+std::vector<std::pair<Iri, Iri>> told_relations(const owl::Ontology& ontology) {
+    const std::set<Iri> relations = told_below(ontology, core_term("Relation"));
+    std::set<std::pair<Iri, Iri>> pairs;
+    if (relations.size() == 1) return {};
+    for (const Axiom& axiom : ontology.axioms)
+        if (axiom.kind == AxiomKind::sub_class_of && is_named(axiom.classes[0]) && is_named(axiom.classes[1]) &&
+            relations.contains(axiom.classes[1]->iri))
+            pairs.emplace(axiom.classes[0]->iri, axiom.classes[1]->iri);
+    for (bool grown = true; grown;) {  // what is below is below all that is above
+        grown = false;
+        for (const auto& [sub, super] : std::vector(pairs.begin(), pairs.end()))
+            for (const Iri& top : relations)
+                if (pairs.contains({super, top})) grown |= pairs.emplace(sub, top).second;
+    }
+    std::erase_if(pairs, [](const auto& pair) { return pair.first == pair.second; });
+    return {pairs.begin(), pairs.end()};
+}
+
+std::vector<Relation> find_relations(const owl::Ontology& ontology) {
+    const std::vector<std::pair<Iri, Iri>> told = told_relations(ontology);
+    std::vector<Relation> relations;
+    for (const auto& [sub, super] : told) {
+        if (super != core_term("Relation")) continue;
+        ElementaryConcept value = read_value(ontology, sub);
+        const bool is_parent = std::ranges::any_of(told, [&](const auto& pair) { return pair.second == sub; });
+        if (is_parent && value.criteria.empty()) continue;
+        Relation relation{sub, 2, std::move(value.criteria), value.cost, std::move(value.question)};
+        if (const auto found = ontology.annotations.find(sub); found != ontology.annotations.end())
+            for (const owl::Annotation& annotation : found->second) {
+                if (annotation.property != core_term("arity")) continue;
+                const std::optional<double> arity = to_number(annotation.literal.value);
+                if (!arity || (*arity != 2 && *arity != 3))
+                    refuse_knob(annotation, sub, "should be 2 or 3: the number of regions that it links");
+                relation.arity = static_cast<std::size_t>(*arity);
+            }
+        relations.push_back(std::move(relation));
+    }
+    return relations;
 }
 
 std::vector<MeasuredProperty> find_numbers(const owl::Ontology& ontology) {

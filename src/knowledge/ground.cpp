@@ -308,8 +308,15 @@ FormulaId Grounder::ground(const owl::ClassPointer& pointer, Level level, const 
             break;
     }
     if (expression.property.inverse)
-        refuse(axiom, "relations between regions (inverse " + property + ") are not part of this version",
-               "describe regions by their features");
+        refuse(axiom, "inverse " + property + " does not start at " + kind_of(level),
+               "write isTargetRegion some (UpFrom and inverse isReferenceRegion some Seat)");
+    if (expression.property.iri == core_term("isTargetRegion") ||
+        expression.property.iri == core_term("isReferenceRegion")) {
+        if (level != Level::region)
+            refuse(axiom, property + " links regions, and here " + kind_of(level) + " is meant",
+                   "write hasPart some (" + to_manchester(expression) + ")");
+        return ground_relation(expression, axiom);
+    }
     if (level_of(expression, {}, theory_.ranges) == Level::unknown)
         refuse(axiom, property + " is neither hasPart nor a functional property that leads to a range concept",
                "declare " + property + " functional with a class below core:Feature as its range");

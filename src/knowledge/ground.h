@@ -37,6 +37,10 @@ private:
     FormulaId ground_feature(const owl::ClassExpression& expression, std::size_t range, const owl::Axiom& axiom);
     FormulaId ground_number(const owl::ClassExpression& expression, const owl::Axiom& axiom);
     FormulaId ground_parts(const owl::ClassExpression& expression, Level level, const owl::Axiom& axiom);
+    FormulaId ground_relation(const owl::ClassExpression& expression, const owl::Axiom& axiom);
+    NodeTest ground_node(const owl::ClassPointer& expression, std::vector<FormulaId>& classes, const owl::Axiom& axiom);
+    NodeTest ground_linked(const owl::ClassExpression& expression, std::vector<FormulaId>& classes,
+                           const owl::Axiom& axiom);
     [[nodiscard]] const RangeConcept* range_of_value(const Iri& value) const;
     [[nodiscard]] bool is_functional(const Iri& property) const;
 
@@ -45,7 +49,8 @@ private:
     Theory& theory_;
     std::map<Iri, std::size_t> ranges_of_values_;
     std::set<Iri> range_names_;
-    std::vector<Iri> open_;  ///< classes of values whose definition is being read
+    std::map<std::string, std::size_t> relational_;  ///< by expression as written: into Theory::relational
+    std::vector<Iri> open_;                          ///< classes of values whose definition is being read
     bool outside_parts_ = true;
     std::vector<std::pair<FormulaId, Level>> mentions_;
 };

@@ -26,6 +26,7 @@ public:
             for (const ElementaryConcept& value : range.values) levels_[value.iri] = Level::feature;
         }
         levels_[core_term("Feature")] = Level::feature;
+        levels_[core_term("Relation")] = Level::relation;
         levels_[core_term("Region")] = Level::region;
         levels_[core_term("Object")] = Level::object;
         levels_[core_term("CompositePart")] = Level::composite;
@@ -114,6 +115,9 @@ Level level_of(const owl::ClassExpression& expression, const std::map<Iri, Level
             return Level::region;
         default:
             if (expression.property.iri == core_term("hasPart")) return Level::whole;
+            if (!expression.property.inverse && (expression.property.iri == core_term("isTargetRegion") ||
+                                                 expression.property.iri == core_term("isReferenceRegion")))
+                return Level::region;
             return std::ranges::any_of(ranges, [&](const auto& r) { return r.property == expression.property.iri; })
                        ? Level::region
                        : Level::unknown;

@@ -66,7 +66,7 @@ Planner::Planner(const Space& space, PlanOptions options) : space_(&space), opti
         const Variable& variable = space.variables[v];
         std::size_t questions = variable.values.size();
         if (variable.kind == VariableKind::number) --questions;
-        if (variable.kind == VariableKind::parts || variable.kind == VariableKind::primitive) questions = 1;
+        if (variable.kind >= VariableKind::relation) questions = 1;  // yes or no
         for (std::size_t k = 0; k < questions; ++k) {
             const Question question{static_cast<VariableId>(v), static_cast<ValueId>(k)};
             candidates_.push_back({question, knowledge::yes_set(space, question), variable.answerable});

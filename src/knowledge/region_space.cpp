@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "base/errors.h"
+#include "knowledge/relations.h"
 #include "knowledge/theory.h"
 
 // A layer starts as the Cartesian product of its variables (paper §3.2.3, Fig. 5), one bit per combination: the first
@@ -44,6 +45,17 @@ Variable feature_variable(const Theory& theory, std::size_t feature) {
         variable.index = static_cast<int>(feature);
         for (const ElementaryConcept& value : range.values) variable.values.push_back(owl::local_name(value.iri));
         if (!range.covered) variable.values.emplace_back("other");
+    } else if (feature >= theory.ranges.size() + theory.numbers.size()) {
+        const std::size_t index = feature - theory.ranges.size() - theory.numbers.size();
+        const RelationalFeature& relational = theory.relational[index];
+        variable.kind = VariableKind::relation;
+        variable.index = static_cast<int>(index);
+        variable.values = {"yes", "no"};
+        variable.part_class = relational.as_written;
+        variable.threshold = relational.threshold;
+        for (std::size_t r = 0; r < theory.relations.size(); ++r)
+            if (theory.relations[r].criteria.empty() && may_pass(relational.test, theory.relations, r))
+                variable.answerable = false;
     } else {
         const std::size_t number = feature - theory.ranges.size();
         variable.kind = VariableKind::number;

@@ -26,7 +26,7 @@ public:
           levels_(find_levels(ontology, theory_.ranges)),
           grounder_(ontology, levels_, theory_) {
         for (const auto& [iri, level] : levels_)
-            if (level > Level::feature && iri != core_term("Region") && iri != core_term("CompositePart") &&
+            if (level > Level::relation && iri != core_term("Region") && iri != core_term("CompositePart") &&
                 iri != core_term("Object"))
                 theory_.concepts.push_back({iri, level, false, -1, 0, -1});
     }
@@ -51,6 +51,7 @@ private:
         Theory theory;
         theory.ranges = find_ranges(ontology);
         theory.numbers = find_numbers(ontology);
+        theory.relations = find_relations(ontology);
         return theory;
     }
 
@@ -175,6 +176,13 @@ private:
         const Level level = level_of_axiom(axiom);
         if (axiom.kind == AxiomKind::disjoint_classes) return read_disjoint(index, 0);
         if (level == Level::feature) return check_features(axiom);
+        if (level == Level::relation) {
+            if (axiom.kind == AxiomKind::sub_class_of && axiom.classes[0]->kind == ClassKind::named &&
+                axiom.classes[1]->kind == ClassKind::named)
+                return;
+            refuse(axiom, "a relation has no definition, but an algorithm",
+                   "put it below core:Relation, and give it core:criterion");
+        }
         if (axiom.kind == AxiomKind::sub_class_of) return read_sub_class(index, level);
         if (level == Level::unknown) refuse_unknown(axiom);
         if (axiom.kind == AxiomKind::disjoint_union) {
@@ -264,6 +272,7 @@ private:
                     refuse(axiom, "no axiom says whether it is about regions or objects",
                            "put its classes below core:Region or core:Object");
                 if (a != b) continue;
+                if (a == Level::relation) continue;  // a node is of one relation anyway
                 if (a == Level::feature) {
                     check_values(axiom,
                                  [&](std::size_t r) { return !values(axiom, i, r).intersects(values(axiom, j, r)); });
@@ -441,6 +450,7 @@ std::string with_article(const std::string& name) {
 }
 
 std::size_t Theory::value_count(std::size_t feature) const {
+    if (feature >= ranges.size() + numbers.size()) return 2;
     if (feature >= ranges.size()) return numbers[feature - ranges.size()].intervals.size();
     return ranges[feature].values.size() + (ranges[feature].covered ? 0 : 1);
 }

@@ -16,7 +16,7 @@ namespace partonomy::knowledge {
 
 /// What a class expression speaks of. A *whole* has parts, and so far nothing else is known of it: a composite part
 /// when it is itself a part of something, else an object.
-enum class Level { unknown, feature, region, whole, composite, object };
+enum class Level { unknown, feature, relation, region, whole, composite, object };
 
 /// A term of the core ontology: core_term("Region").
 [[nodiscard]] Iri core_term(const char* name);
@@ -70,14 +70,17 @@ struct Constraint {
 struct Theory {
     std::vector<RangeConcept> ranges;
     std::vector<MeasuredProperty> numbers;
+    std::vector<Relation> relations;
+    std::vector<RelationalFeature> relational;               ///< their classes are filled last
+    std::vector<std::vector<FormulaId>> relational_classes;  ///< [relational][class]: about a region
     std::vector<Formula> formulas;
     std::vector<NamedConcept> concepts;  ///< sorted by IRI
     std::vector<Constraint> constraints;
     std::vector<Group> groups;  ///< each after those that it is made of
     std::vector<std::string> warnings;
 
-    /// Feature variables: the ranges, then the numbers.
-    [[nodiscard]] std::size_t feature_count() const { return ranges.size() + numbers.size(); }
+    /// Feature variables: the ranges, then the numbers, then the relational ones.
+    [[nodiscard]] std::size_t feature_count() const { return ranges.size() + numbers.size() + relational.size(); }
     [[nodiscard]] std::size_t value_count(std::size_t feature) const;
     [[nodiscard]] int find(const Iri& iri) const;  ///< concept, -1 when there is none
 };
@@ -86,6 +89,10 @@ struct Theory {
 /// intervals, criteria and costs. Throws OntologyError.
 [[nodiscard]] std::vector<RangeConcept> find_ranges(const owl::Ontology& ontology);
 [[nodiscard]] std::vector<MeasuredProperty> find_numbers(const owl::Ontology& ontology);
+/// Classes below core:Relation that have no class below them, or criteria; in the order of their names.
+[[nodiscard]] std::vector<Relation> find_relations(const owl::Ontology& ontology);
+/// (sub, super) of all different classes below core:Relation, as told, that one included; sorted.
+[[nodiscard]] std::vector<std::pair<Iri, Iri>> told_relations(const owl::Ontology& ontology);
 
 /// The part of the number line that a data range allows, as cuts; throws OntologyError for what is no range of numbers.
 /// `ends` is ascending and disjoint.

@@ -23,6 +23,8 @@ const char* kind_word(VariableKind kind) {
             return "range";
         case VariableKind::number:
             return "number";
+        case VariableKind::relation:
+            return "relation";
         case VariableKind::primitive:
             return "primitive";
         default:

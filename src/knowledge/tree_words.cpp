@@ -11,6 +11,25 @@ std::string part_words(const Variable& variable) {
     return std::to_string(variable.threshold) + " " + (simple ? name : "(" + name + ")");
 }
 
+/// "is it above a Seat" where the relation has a wording and one class is named; else the expression as written.
+std::string relation_words(const Variable& variable, const Domain& domain) {
+    const owl::ClassExpression& whole = *variable.part_class;
+    std::string question, part;
+    const bool simple = domain.relational[static_cast<std::size_t>(variable.index)].of_target &&
+                        whole.kind == owl::ClassKind::some_values_from && whole.operands[0]->operands.size() == 2;
+    for (std::size_t i = 0; simple && i < 2; ++i) {
+        const owl::ClassExpression& operand = *whole.operands[0]->operands[i];
+        if (operand.kind == owl::ClassKind::some_values_from && operand.operands[0]->kind == owl::ClassKind::named)
+            part = owl::local_name(operand.operands[0]->iri);
+        for (const Relation& relation : domain.relations)
+            if (operand.kind == owl::ClassKind::named && operand.iri == relation.iri) question = relation.question;
+    }
+    if (question.empty() || part.empty() || whole.operands[0]->kind != owl::ClassKind::intersection_of)
+        return "is it so: " + to_manchester(whole);
+    const bool vowel = std::string("aeiouAEIOU").find(part[0]) != std::string::npos;
+    return question + (vowel ? " an " : " a ") + part;
+}
+
 }  // namespace
 
 std::vector<NodeFeatures> follow(const DecisionTree& tree) {
@@ -43,6 +62,7 @@ std::vector<NodeFeatures> follow(const DecisionTree& tree) {
 }
 
 std::string variable_name(const Variable& variable) {
+    if (variable.kind == VariableKind::relation) return to_manchester(*variable.part_class);
     return variable.kind == VariableKind::parts ? "at least " + part_words(variable) : owl::local_name(variable.iri);
 }
 
@@ -95,6 +115,7 @@ std::string to_text(const Space& space, Question question, const Domain& domain)
         const ElementaryConcept& value = range.values[question.value];
         if (!value.question.empty()) return value.question;
     }
+    if (variable.kind == VariableKind::relation) return relation_words(variable, domain);
     if (variable.kind == VariableKind::parts) return "has it at least " + part_words(variable);
     const std::string name =
         variable.kind == VariableKind::range ? variable.values[question.value] : owl::local_name(variable.iri);

@@ -1,4 +1,5 @@
-/* Composite parts through the whole program: an ontology that adds a layer to furniture.ttl, and a mesh with a headrest.
+/* Composite parts through the whole program: an ontology that adds a layer to furniture.ttl, and a mesh with a
+ * headrest.
  */
 
 #include <gtest/gtest.h>

@@ -88,6 +88,7 @@ TEST(Furniture, Hierarchy) {
         below(range.iri, {core("Feature")});
         for (const ElementaryConcept& value : range.values) below(value.iri, {core("Feature"), range.iri});
     }
+    for (const char* relation : {"Beside", "Between", "Connected", "UpFrom"}) below(core(relation), {core("Relation")});
     for (const char* part : {"Armrest", "BackPost", "Backrest", "Leg", "Seat", "Tabletop"})
         below(term(part), {core("Region")});
     below(term("Furniture"), {core("Object")});

@@ -1,0 +1,225 @@
+/* Relations between regions, from axioms over questions to names: T of arity 2 and 3. */
+
+#include "algorithms/relations.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "base/errors.h"
+#include "examples/objects.h"
+#include "examples/solid.h"
+#include "expert/furniture.h"
+
+namespace partonomy {
+namespace {
+
+using Names = std::vector<std::string>;
+
+/// An ontology on top of furniture.ttl, in Manchester syntax: frames after the prologue.
+struct OnFurniture {
+    knowledge::Domain domain;
+    Catalogue catalogue;
+    explicit OnFurniture(const std::string& frames) {
+        const std::filesystem::path folder =  // of its own, since imports are looked for beside the file
+            std::filesystem::temp_directory_path() /
+            ("partonomy-relations-" + std::to_string(std::hash<std::string>{}(frames)));
+        std::filesystem::create_directories(folder);
+        const std::filesystem::path file = folder / "o.omn";
+        std::ofstream(file) << "Prefix: : <http://example.org/r#>\n"
+                               "Prefix: f: <https://w3id.org/partonomy/furniture#>\n"
+                               "Prefix: core: <https://w3id.org/partonomy/core#>\n"
+                               "Ontology: <http://example.org/r>\n"
+                               "Import: <https://w3id.org/partonomy/furniture>\n"
+                            << frames;
+        owl::LoadOptions options;
+        options.import_folders.emplace_back(PARTONOMY_SOURCE_DIR "/ontologies");
+        domain = knowledge::compile(owl::load_ontology(file, options));
+        std::filesystem::remove_all(folder);
+        catalogue = make_catalogue(domain);
+    }
+    [[nodiscard]] Annotation annotate(const TriangleMesh& mesh, const AnnotateOptions& options = {}) const {
+        return partonomy::annotate(domain, catalogue, make_object(mesh, {}), options);
+    }
+};
+
+std::ptrdiff_t count(const Annotation& annotation, const std::string& name) {
+    return std::ranges::count_if(
+        annotation.parts, [&](const AnnotatedPart& part) { return std::ranges::count(part.concepts, name) > 0; });
+}
+
+std::ptrdiff_t traced(const Annotation& annotation, const std::string& kind) {
+    return std::ranges::count(annotation.trace, kind, &TraceEntry::kind);
+}
+
+const char* const seat_and_backrest =
+    "Class: :HighBackrest EquivalentTo: f:Backrest and (core:isTargetRegion some (core:UpFrom and "
+    "(inverse (core:isReferenceRegion) some f:Seat)))\n"
+    "Class: :FirmSeat EquivalentTo: f:Seat and (core:isTargetRegion min 3 (core:Connected and "
+    "(inverse (core:isReferenceRegion) some f:Leg)))\n"
+    "Class: :FirmChair EquivalentTo: f:Chair and (core:hasPart some :FirmSeat) and (core:hasPart some :HighBackrest)\n"
+    "Class: :LowBackrest EquivalentTo: f:Furniture and (core:hasPart some (f:Backrest and "
+    "(not (core:isTargetRegion some (core:UpFrom and (inverse (core:isReferenceRegion) some f:Seat))))))\n"
+    "    SubClassOf: core:Incompatible\n";
+
+TEST(Relations, AboveASeatAndTouchingThreeLegs) {
+    const OnFurniture ontology(seat_and_backrest);
+    EXPECT_TRUE(ontology.domain.warnings.empty());
+    for (const Strategy strategy : {Strategy::expert, Strategy::naive, Strategy::segment_then_identify})
+        for (const char* name : {"chair", "chair2"}) {
+            SCOPED_TRACE(name);
+            const Annotation annotation = ontology.annotate(paper_object(name).mesh, {strategy, {}});
+            EXPECT_EQ(annotation.classes, Names{"FirmChair"});
+            EXPECT_EQ(count(annotation, "HighBackrest"), 1);
+            EXPECT_EQ(count(annotation, "FirmSeat"), 1);
+            EXPECT_TRUE(annotation.consistent);
+            EXPECT_EQ(traced(annotation, "T"), annotation.questions.at("T"));
+            EXPECT_EQ(annotation.questions.at("T"), 4);  // one seat above; three of the legs
+            EXPECT_TRUE(std::ranges::any_of(annotation.trace, [](const TraceEntry& entry) {
+                return entry.kind == "T" && entry.question.find("is it above part") != std::string::npos;
+            }));
+        }
+}
+
+TEST(Relations, NothingIsAskedWhereNoNameHangsOnThem) {
+    const OnFurniture ontology("Class: :X EquivalentTo: f:Chair and (core:hasPart min 2 f:Backrest)\n");
+    const Annotation with = ontology.annotate(paper_object("chair").mesh);
+    const Annotation without = Furniture::get().annotate(paper_object("chair").mesh);
+    EXPECT_EQ(with.questions, without.questions);
+    EXPECT_EQ(with.questions.at("T"), 0);
+}
+
+/// A box between two corners, outward.
+void add_box(Solid& solid, const std::string& label, const Vec3& low, const Vec3& high) {
+    solid.begin_part(label);
+    std::vector<Solid::Vertex> base{solid.at(low.x(), low.y(), low.z()), solid.at(high.x(), low.y(), low.z()),
+                                    solid.at(high.x(), high.y(), low.z()), solid.at(low.x(), high.y(), low.z())};
+    solid.prism(base, high.z());
+    solid.face(base, true);
+}
+
+/// A seat on four legs, each part a box of its own; a bar between the rear legs, or beside one of them.
+TriangleMesh stool(bool bar_between) {
+    Solid solid;
+    add_box(solid, "Seat", {0, 0, 0.40}, {0.5, 0.5, 0.44});
+    for (const double x : {0.0, 0.46})
+        for (const double y : {0.0, 0.46}) add_box(solid, "Leg", {x, y, 0}, {x + 0.04, y + 0.04, 0.40});
+    const double from = bar_between ? 0.04 : 0.54;
+    add_box(solid, "Bar", {from, 0.465, 0.2}, {from + 0.42, 0.495, 0.23});
+    return std::move(solid).finish("stool", "Stool").mesh;
+}
+
+TEST(Relations, BetweenTwoLegs) {
+    const OnFurniture ontology(
+        "Class: :Stretcher EquivalentTo: core:Region and (core:hasShape some core:Stick) and "
+        "(core:isTargetRegion some (core:Between and (inverse (core:isReferenceRegion) min 2 f:Leg)))\n"
+        "Class: :BracedLeg EquivalentTo: f:Leg and (core:isReferenceRegion some (core:Between and "
+        "(inverse (core:isTargetRegion) some :Stretcher)))\n"
+        "Class: :SideBar EquivalentTo: core:Region and (core:hasPosition some core:Central) and "
+        "(core:isTargetRegion some (core:Beside and (inverse (core:isReferenceRegion) some f:Leg))) and "
+        "(not (:Stretcher))\n"
+        "Class: :BracedStool EquivalentTo: f:Stool and (core:hasPart min 2 :BracedLeg)\n");
+    const Annotation between = ontology.annotate(stool(true));
+    EXPECT_EQ(count(between, "Stretcher"), 1);
+    EXPECT_EQ(count(between, "SideBar"), 0);
+    EXPECT_EQ(between.classes, Names{"BracedStool"});
+    EXPECT_GE(count(between, "BracedLeg"), 2);
+    const Annotation beside = ontology.annotate(stool(false));
+    EXPECT_EQ(count(beside, "Stretcher"), 0);
+    EXPECT_EQ(count(beside, "BracedLeg"), 0);
+    EXPECT_EQ(beside.classes, Names{"Stool"});
+}
+
+TEST(Relations, ABackrestThatIsNotAboveItsSeat) {
+    const OnFurniture ontology(seat_and_backrest);
+    Solid solid;
+    add_box(solid, "Seat", {0, 0, 0.40}, {0.5, 0.5, 0.44});
+    for (const double x : {0.0, 0.46})
+        for (const double y : {0.0, 0.46}) add_box(solid, "Leg", {x, y, 0}, {x + 0.04, y + 0.04, 0.40});
+    add_box(solid, "Backrest", {2.0, 0.46, 0.5}, {2.5, 0.5, 0.9});  // far to the side
+    const Annotation annotation = ontology.annotate(std::move(solid).finish("odd", "Chair").mesh);
+    EXPECT_EQ(count(annotation, "Backrest"), 1);
+    EXPECT_EQ(count(annotation, "HighBackrest"), 0);
+    ASSERT_EQ(annotation.diagnosis.size(), 1U);
+    EXPECT_EQ(annotation.diagnosis[0].concept_name, "LowBackrest");
+    EXPECT_TRUE(std::ranges::any_of(annotation.diagnosis[0].answers, [](const std::string& answer) {
+        return answer.find("is it above a Seat: no") != std::string::npos;
+    }));
+}
+
+TEST(Relations, WithoutAlgorithmTheyStayOpen) {
+    const OnFurniture ontology(
+        "Class: :Mirrors SubClassOf: core:Relation\n"
+        "Class: :TwinLeg EquivalentTo: f:Leg and (core:isTargetRegion some (:Mirrors and "
+        "(inverse (core:isReferenceRegion) some f:Leg)))\n"
+        "Class: :TwinChair EquivalentTo: f:Chair and (core:hasPart some :TwinLeg)\n");
+    ASSERT_EQ(ontology.domain.warnings.size(), 1U);
+    EXPECT_NE(ontology.domain.warnings[0].find("Mirrors"), std::string::npos);
+    const Annotation annotation = ontology.annotate(paper_object("chair").mesh);
+    EXPECT_EQ(annotation.classes, Names{"Chair"});
+    EXPECT_EQ(annotation.questions.at("T"), 0);
+    EXPECT_EQ(count(annotation, "Leg"), 4);
+    EXPECT_EQ(count(annotation, "TwinLeg"), 0);
+}
+
+TEST(Relations, AMeasureOfAnotherNumberOfRegionsIsRefused) {
+    const std::string frames =
+        "Class: :Odd Annotations: core:measure \"opening angle\", core:membership \"100 140 inf inf\" "
+        "SubClassOf: core:Relation\n";
+    try {
+        const OnFurniture ontology(frames);
+        FAIL();
+    } catch (const OntologyError& error) {
+        EXPECT_NE(std::string(error.what()).find("o.omn:6: Odd links 2 regions"), std::string::npos) << error.what();
+    }
+}
+
+TEST(Relations, EachWaitsForTheOther) {
+    const OnFurniture ontology(  // a seat below a backrest that is above a seat: nothing proves either
+        "Class: :A EquivalentTo: f:Seat and (core:isReferenceRegion some (core:UpFrom and (inverse "
+        "(core:isTargetRegion) "
+        "some :B)))\n"
+        "Class: :B EquivalentTo: f:Backrest and (core:isTargetRegion some (core:UpFrom and (inverse "
+        "(core:isReferenceRegion) some :A)))\n"
+        "Class: :C EquivalentTo: f:Chair and (core:hasPart some :A)\n");
+    const Annotation annotation = ontology.annotate(paper_object("chair").mesh);
+    EXPECT_EQ(annotation.classes, Names{"Chair"});
+    EXPECT_GT(annotation.questions.at("T"), 0);
+}
+
+TEST(Relations, MeasuresOfBoxes) {
+    Solid solid;
+    add_box(solid, "a", {0, 0, 0}, {1, 1, 1});
+    add_box(solid, "b", {0, 0, 1.25}, {1, 1, 2});
+    add_box(solid, "c", {2, 0, 0}, {3, 1, 1});
+    Object object;
+    object.mesh = std::move(solid).finish("boxes", "").mesh;
+    object.geometry = compute_geometry(object.mesh);
+    object.low = 0;
+    object.high = 2;
+    std::vector<PartRegion> parts(3);
+    for (int t = 0; t < 36; ++t) parts[static_cast<std::size_t>(t / 12)].region.triangles.push_back(t);
+    std::vector<RegionPlace> places;
+    for (const PartRegion& part : parts) places.push_back(place_of(object, part));
+    const RegionPlace *a = &places[0], *b = &places[1], *c = &places[2];
+    const double diagonal = std::sqrt(9.0 + 1 + 4);
+    const auto measured = [&](const char* name, const std::vector<const RegionPlace*>& regions) {
+        return find_relation_measure(name)->value(object, regions);
+    };
+    EXPECT_NEAR(measured("gap", {a, b}), 0.25 / diagonal, 1e-12);
+    EXPECT_NEAR(measured("gap", {b, a}), 0.25 / diagonal, 1e-12);
+    EXPECT_NEAR(measured("gap", {a, c}), 1 / diagonal, 1e-12);
+    EXPECT_NEAR(measured("rise", {b, a}), (1.625 - 1) / 2, 1e-12);
+    EXPECT_NEAR(measured("rise", {a, b}), (0.5 - 2) / 2, 1e-12);
+    EXPECT_NEAR(measured("side step", {a, b}), 0, 1e-12);
+    EXPECT_NEAR(measured("side step", {a, c}), 1 / diagonal, 1e-12);
+    EXPECT_NEAR(measured("level overlap", {a, c}), 1, 1e-12);
+    EXPECT_NEAR(measured("level overlap", {a, b}), 0, 1e-12);
+    EXPECT_NEAR(measured("footprint overlap", {a, b}), 1, 1e-12);
+    EXPECT_NEAR(measured("opening angle", {a, b, c}), 90, 1e-9);
+    EXPECT_FALSE(relation_score(std::span(&touching(), 1), object, std::vector<const RegionPlace*>{a, b, c}));
+}
+
+}  // namespace
+}  // namespace partonomy
