@@ -211,21 +211,18 @@ ObjectLayer build_objects(const Theory& theory, const Scope& scope, Subject subj
     ObjectLayer objects;
     objects.counts = std::move(counts);
     std::map<std::vector<bool>, std::size_t> rows;  // "no" of each atom, so that a yes sorts first
+    std::vector<std::map<std::vector<bool>, std::size_t>::const_iterator> row_of;  // of each of `counts`
     for (const Counts each : objects.counts) {
-        std::vector<bool> assignment;
-        for (const Parts::Atom& atom : parts.atoms) assignment.push_back(!parts.holds(each, atom));
-        rows.emplace(std::move(assignment), 0);
+        std::vector<bool> assignment(parts.atoms.size());
+        for (std::size_t a = 0; a < parts.atoms.size(); ++a) assignment[a] = !parts.holds(each, parts.atoms[a]);
+        row_of.push_back(rows.try_emplace(std::move(assignment), 0).first);
     }
     std::vector<const std::vector<bool>*> assignments;
     for (auto& [assignment, row] : rows) {
         row = assignments.size();
         assignments.push_back(&assignment);
     }
-    for (const Counts each : objects.counts) {
-        std::vector<bool> assignment;
-        for (const Parts::Atom& atom : parts.atoms) assignment.push_back(!parts.holds(each, atom));
-        objects.row.push_back(rows.at(assignment));
-    }
+    for (const auto& found : row_of) objects.row.push_back(found->second);
 
     Layer& layer = objects.layer;
     Space& space = layer.space;
