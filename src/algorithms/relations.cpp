@@ -1,8 +1,8 @@
 /* Measurements between regions, for the relations of paper §3.2.2: T asks whether some regions are in a relation.
  *
- * Each is a number over which the ontology lays a trapezoid, as for `is a`. Most read boxes only, in coordinates whose
- * third axis is up: a box says enough about above and beside, and costs nothing. Lengths are fractions of the object's
- * height or diagonal, so that no unit is needed.
+ * Each is a number over which the ontology lays a trapezoid, as for `is a`. Most read boxes only, along the sides of
+ * the object's smallest upright box: a box says enough about above and beside, costs nothing, and turns with the
+ * object. Lengths are fractions of the object's height or diagonal, so that no unit is needed.
  *
  * Gap is exact where it matters: regions that share a vertex touch; else the smallest distance between their triangles,
  * among those triangles that come as near as twenty times the usual tolerance (regions cut from several shells, or by
@@ -29,14 +29,26 @@ using Triangle = std::array<Vec3, 3>;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double far_away = 0.1;  ///< of the object's diagonal: a larger gap is not measured exactly
 
-/// Rows: two horizontal axes, then up.
-Eigen::Matrix3d upright_frame(const Vec3& up) {
-    const Vec3 helper = std::abs(up.x()) < 0.9 ? Vec3::UnitX() : Vec3::UnitY();
-    Eigen::Matrix3d frame;
-    frame.row(2) = up;
-    frame.row(0) = helper.cross(up).normalized();
-    frame.row(1) = up.cross(Vec3(frame.row(0)));
-    return frame;
+/// Corners of the convex hull, counter-clockwise (Andrew's monotone chain).
+std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points) {
+    const auto before = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+        return std::pair(a.x(), a.y()) < std::pair(b.x(), b.y());
+    };
+    std::ranges::sort(points, before);
+    const auto turns_left = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
+        return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x()) > 0;
+    };
+    std::vector<Eigen::Vector2d> hull;
+    for (const bool lower : {true, false}) {
+        const std::size_t start = hull.size();
+        for (const Eigen::Vector2d& p : points) {
+            while (hull.size() >= start + 2 && !turns_left(hull[hull.size() - 2], hull.back(), p)) hull.pop_back();
+            hull.push_back(p);
+        }
+        hull.pop_back();  // where the other half begins
+        if (lower) std::ranges::reverse(points);
+    }
+    return hull;
 }
 
 double diagonal(const Object& object) { return compute_bounds(object.mesh).diagonal(); }
@@ -120,13 +132,12 @@ double distance_of_triangles(const Triangle& a, const Triangle& b) {
 /// Triangles of the region that come as near to the box as `reach`; by their lowest x.
 std::vector<std::pair<Triangle, std::pair<double, double>>> near_triangles(const Object& object, const RegionPlace& of,
                                                                            const RegionPlace& box, double reach) {
-    const Eigen::Matrix3d frame = upright_frame(object.placement.up);
     std::vector<std::pair<Triangle, std::pair<double, double>>> result;
     for (const int t : of.part->region.triangles) {
         Triangle triangle;
         for (std::size_t i = 0; i < 3; ++i)
             triangle[i] =
-                frame *
+                of.frame *
                 object.mesh.positions[static_cast<std::size_t>(object.mesh.triangles[static_cast<std::size_t>(t)][i])];
         const Vec3 low = triangle[0].cwiseMin(triangle[1]).cwiseMin(triangle[2]);
         const Vec3 high = triangle[0].cwiseMax(triangle[1]).cwiseMax(triangle[2]);
@@ -209,10 +220,42 @@ const std::array<RelationMeasure, 6> measures = {{
 
 }  // namespace
 
-RegionPlace place_of(const Object& object, const PartRegion& part) {
-    const Eigen::Matrix3d frame = upright_frame(object.placement.up);
+Eigen::Matrix3d upright_frame(const Object& object) {
+    const Vec3& up = object.placement.up;
+    const Vec3 helper = std::abs(up.x()) < 0.9 ? Vec3::UnitX() : Vec3::UnitY();
+    const Vec3 first = helper.cross(up).normalized(), second = up.cross(first);
+    std::vector<Eigen::Vector2d> points;
+    for (const Vec3& p : object.mesh.positions) points.emplace_back(p.dot(first), p.dot(second));
+    const std::vector<Eigen::Vector2d> hull = convex_hull(std::move(points));
+    double smallest = infinity;
+    Eigen::Vector2d side = Eigen::Vector2d::UnitX();
+    for (std::size_t i = 0; i < hull.size(); ++i) {  // a smallest rectangle has a side along an edge of the hull
+        const Eigen::Vector2d edge = hull[(i + 1) % hull.size()] - hull[i];
+        if (!(edge.norm() > 0)) continue;
+        const Eigen::Vector2d along = edge.normalized(), across(-along.y(), along.x());
+        Eigen::Vector2d low = Eigen::Vector2d::Constant(infinity), high = -low;
+        for (const Eigen::Vector2d& p : hull) {
+            const Eigen::Vector2d q(p.dot(along), p.dot(across));
+            low = low.cwiseMin(q);
+            high = high.cwiseMax(q);
+        }
+        const double area = (high - low).prod();
+        if (area < smallest * (1 - 1e-9)) {
+            smallest = area;
+            side = along;
+        }
+    }
+    Eigen::Matrix3d frame;
+    frame.row(2) = up;
+    frame.row(0) = side.x() * first + side.y() * second;
+    frame.row(1) = up.cross(Vec3(frame.row(0)));
+    return frame;
+}
+
+RegionPlace place_of(const Object& object, const PartRegion& part, const Eigen::Matrix3d& frame) {
     RegionPlace place;
     place.part = &part;
+    place.frame = frame;
     place.low = Vec3::Constant(infinity);
     place.high = Vec3::Constant(-infinity);
     place.centre = Vec3::Zero();

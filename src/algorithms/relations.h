@@ -10,13 +10,18 @@
 
 namespace partonomy {
 
+/// Axes as rows: the sides of the smallest upright box of the object, then up. They turn with the object.
+[[nodiscard]] Eigen::Matrix3d upright_frame(const Object& object);
+
 /// What relations look at in one region: T and TF read it, so it is made once.
 struct RegionPlace {
     const PartRegion* part = nullptr;  ///< must outlive this
-    Vec3 low, high;                    ///< box along up and two horizontal axes; the third coordinate is along up
+    Eigen::Matrix3d frame;             ///< of its coordinates
+    Vec3 low, high;                    ///< box along the frame's axes; the third coordinate is along up
     Vec3 centre;                       ///< mean of the surface, in the same coordinates
 };
-[[nodiscard]] RegionPlace place_of(const Object& object, const PartRegion& part);
+/// `frame` is upright_frame(object).
+[[nodiscard]] RegionPlace place_of(const Object& object, const PartRegion& part, const Eigen::Matrix3d& frame);
 
 /// One measurement between regions, by the name that core:measure gives it. The first region is the target.
 struct RelationMeasure {

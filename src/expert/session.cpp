@@ -168,8 +168,9 @@ std::optional<double> Session::ask_score(int region, Question question) {
 }
 
 const RegionPlace& Session::place(int region) {
+    if (!frame_) frame_ = upright_frame(object_);
     auto found = places_.find(region);
-    if (found == places_.end()) found = places_.emplace(region, place_of(object_, part(region))).first;
+    if (found == places_.end()) found = places_.emplace(region, place_of(object_, part(region), *frame_)).first;
     return found->second;
 }
 

@@ -103,6 +103,7 @@ private:
     std::vector<knowledge::Answer> answers_;
     std::vector<double> answer_scores_;
     std::optional<std::vector<std::pair<int, int>>> connected_;
+    std::optional<Eigen::Matrix3d> frame_;
     std::map<int, RegionPlace> places_;  ///< of regions that relations were asked of; they point to parts_
     std::map<knowledge::RelationTuple, std::optional<double>> related_;
 };

@@ -49,7 +49,7 @@ private:
     Theory& theory_;
     std::map<Iri, std::size_t> ranges_of_values_;
     std::set<Iri> range_names_;
-    std::map<std::string, std::size_t> relational_;  ///< by expression as written: into Theory::relational
+    std::map<std::string, std::size_t> relational_;  ///< by key of the expression: into Theory::relational
     std::vector<Iri> open_;                          ///< classes of values whose definition is being read
     bool outside_parts_ = true;
     std::vector<std::pair<FormulaId, Level>> mentions_;

@@ -22,6 +22,16 @@ owl::ClassPointer make(ClassKind kind, owl::ClassPointer operand) {
     return result;
 }
 
+/// Equal for equal expressions only; IRIs in full.
+std::string key_of(const ClassExpression& expression) {
+    std::string key = std::to_string(static_cast<int>(expression.kind)) + (expression.property.inverse ? "-<" : "<") +
+                      expression.iri + expression.property.iri + ">" + std::to_string(expression.number) + "(";
+    for (const owl::ClassPointer& operand : expression.operands) key += key_of(*operand) + ",";
+    if (!expression.range.values.empty() || !expression.range.datatype.empty() || !expression.range.facets.empty())
+        key += to_manchester(expression);  // numbers
+    return key + ")";
+}
+
 NodeTest negated(NodeTest test) {
     NodeTest result;
     result.kind = NodeTest::Kind::no;
@@ -145,7 +155,7 @@ FormulaId Grounder::ground_relation(const ClassExpression& expression, const owl
         as_written->property = expression.property;
         as_written->number = threshold == 1 ? 0 : threshold;
         as_written->operands = {filler};
-        const auto [known, is_new] = relational_.try_emplace(to_manchester(*as_written), theory_.relational.size());
+        const auto [known, is_new] = relational_.try_emplace(key_of(*as_written), theory_.relational.size());
         if (is_new) {
             RelationalFeature feature;
             std::vector<FormulaId> classes;

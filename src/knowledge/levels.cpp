@@ -7,7 +7,8 @@
 // A named class belongs to the layer that its axioms speak of: properties of features are about regions, hasPart is
 // about objects and composite parts, and names pass on what their own axioms say. A sweep over all axioms is repeated
 // until nothing new is learned, which takes as many sweeps as definitions are deep. What only has parts is a composite
-// part when some hasPart leads to it, else an object; that is decided when nothing surer is left to learn. Upwards
+// part when some hasPart leads to it, or when it is told to be one; else an object. That is decided when nothing surer
+// is left to learn. Upwards
 // (from a class to a bare superclass) is only learned when all else is.
 
 namespace partonomy::knowledge {
@@ -35,20 +36,24 @@ public:
     }
 
     std::map<Iri, Level> run() {
-        struct Sweep {
-            bool wholes, upwards;
-        };
-        for (const Sweep sweep : {Sweep{false, false}, Sweep{true, false}, Sweep{true, true}}) {
-            decide_wholes_ = sweep.wholes;
+        const auto sweep = [&](Wholes wholes, bool upwards) {
+            wholes_ = wholes;
             for (bool grown = true; grown;) {
                 grown = false;
-                for (const Axiom& axiom : ontology_.axioms) grown |= learn(axiom, sweep.upwards);
+                for (const Axiom& axiom : ontology_.axioms) grown |= learn(axiom, upwards);
             }
-        }
+        };
+        sweep(Wholes::left_open, false);
+        sweep(Wholes::composite_when_part, false);
+        sweep(Wholes::else_object, false);
+        sweep(Wholes::else_object, true);
         return std::move(levels_);
     }
 
 private:
+    /// What a class is that has parts, and of which nothing else is known.
+    enum class Wholes { left_open, composite_when_part, else_object };
+
     [[nodiscard]] Level level_of(const owl::ClassExpression& expression) const {
         return knowledge::level_of(expression, levels_, ranges_);
     }
@@ -65,8 +70,9 @@ private:
         const Iri& iri = expression->iri;
         if (is_thing(iri) || is_nothing(iri) || iri == core_term("Incompatible")) return false;
         if (level == Level::whole) {
-            if (!decide_wholes_) return false;
-            level = parts_.contains(iri) ? Level::composite : Level::object;
+            const bool is_part = parts_.contains(iri);
+            if (wholes_ == Wholes::left_open || (wholes_ == Wholes::composite_when_part && !is_part)) return false;
+            level = is_part ? Level::composite : Level::object;
         }
         return levels_.emplace(iri, level).second;
     }
@@ -87,7 +93,7 @@ private:
     const std::vector<RangeConcept>& ranges_;
     std::map<Iri, Level> levels_;
     std::set<Iri> parts_;
-    bool decide_wholes_ = false;
+    Wholes wholes_ = Wholes::left_open;
 };
 
 }  // namespace

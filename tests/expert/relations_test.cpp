@@ -10,6 +10,7 @@
 #include "base/errors.h"
 #include "examples/objects.h"
 #include "examples/solid.h"
+#include "examples/transforms.h"
 #include "expert/furniture.h"
 
 namespace partonomy {
@@ -126,9 +127,17 @@ TEST(Relations, BetweenTwoLegs) {
     EXPECT_EQ(between.classes, Names{"BracedStool"});
     EXPECT_GE(count(between, "BracedLeg"), 2);
     const Annotation beside = ontology.annotate(stool(false));
+    EXPECT_EQ(count(beside, "SideBar"), 1);
     EXPECT_EQ(count(beside, "Stretcher"), 0);
     EXPECT_EQ(count(beside, "BracedLeg"), 0);
     EXPECT_EQ(beside.classes, Names{"Stool"});
+    for (const bool bar_between : {true, false}) {  // it does not matter how the object is turned
+        ExampleObject turned;
+        turned.mesh = stool(bar_between);
+        const Annotation annotation = ontology.annotate(rotated_about_z(turned, 33).mesh);
+        EXPECT_EQ(count(annotation, "Stretcher"), bar_between ? 1 : 0);
+        EXPECT_EQ(count(annotation, "SideBar"), bar_between ? 0 : 1);
+    }
 }
 
 TEST(Relations, ABackrestThatIsNotAboveItsSeat) {
@@ -201,7 +210,7 @@ TEST(Relations, MeasuresOfBoxes) {
     std::vector<PartRegion> parts(3);
     for (int t = 0; t < 36; ++t) parts[static_cast<std::size_t>(t / 12)].region.triangles.push_back(t);
     std::vector<RegionPlace> places;
-    for (const PartRegion& part : parts) places.push_back(place_of(object, part));
+    for (const PartRegion& part : parts) places.push_back(place_of(object, part, upright_frame(object)));
     const RegionPlace *a = &places[0], *b = &places[1], *c = &places[2];
     const double diagonal = std::sqrt(9.0 + 1 + 4);
     const auto measured = [&](const char* name, const std::vector<const RegionPlace*>& regions) {

@@ -113,6 +113,12 @@ TEST(Composites, FoundWithoutTheirCoreClass) {
     const Domain domain = compile(ontology.result);
     EXPECT_EQ(domain.layer(iri("Back")), 2);  // since chairs have one as a part
     EXPECT_EQ(domain.layer(iri("Chair")), 3);
+    Ontology reversed;  // what is a Back is one, too, wherever it is written
+    reversed.range("Kind", {"RestKind", "HeadKind"})
+        .same("HeadBack", both({name("Back"), some("hasPart", some("hasKind", "HeadKind"))}))
+        .same("Back", some("hasPart", some("hasKind", "RestKind")))
+        .same("Chair", some("hasPart", "Back"));
+    EXPECT_EQ(compile(reversed.result).layer(iri("HeadBack")), 2);
 }
 
 TEST(Composites, LayersOnLayers) {
