@@ -5,12 +5,12 @@
  * object. Lengths are fractions of the object's height or diagonal, so that no unit is needed.
  *
  * Gap is exact where it matters: regions that share a vertex touch; else the smallest distance between their triangles,
- * among those triangles that come as near as twenty times the usual tolerance (regions cut from several shells, or by
- * a scan, do not share vertices). The triangles of one region are swept along x past those of the other, and what
- * cannot beat the smallest distance so far is skipped. Distance of two triangles (Ericson, "Real-Time Collision
- * Detection", 2005, chapter 5): 0 when an edge of one pierces the other, else the smallest of vertex to triangle (6)
- * and edge to edge (9). Cost: O(n log n) and the pairs that overlap along x, where n triangles are near the other
- * region. */
+ * among those triangles that come nearer than a twentieth of the diagonal (regions cut from several shells, or by a
+ * scan, do not share vertices); a larger gap is a twentieth, or the distance of the boxes. The triangles of one region
+ * are swept past those of the other, and what cannot beat the smallest distance so far is skipped. Distance of two
+ * triangles (Ericson, "Real-Time Collision Detection", 2005, chapter 5): 0 when an edge of one pierces the other, else
+ * the smallest of vertex to triangle (6) and edge to edge (9). Cost: O(n log n) and the pairs that overlap along the
+ * sweep, where n triangles are near the other region. */
 
 #include "algorithms/relations.h"
 
@@ -27,7 +27,7 @@ namespace {
 
 using Triangle = std::array<Vec3, 3>;
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double far_away = 0.1;  ///< of the object's diagonal: a larger gap is not measured exactly
+constexpr double far_away = 0.05;  ///< of the object's diagonal: a larger gap is not measured exactly
 
 /// Corners of the convex hull, counter-clockwise (Andrew's monotone chain).
 std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points) {
@@ -129,23 +129,39 @@ double distance_of_triangles(const Triangle& a, const Triangle& b) {
     return nearest;
 }
 
-/// Triangles of the region that come as near to the box as `reach`; by their lowest x.
-std::vector<std::pair<Triangle, std::pair<double, double>>> near_triangles(const Object& object, const RegionPlace& of,
-                                                                           const RegionPlace& box, double reach) {
-    std::vector<std::pair<Triangle, std::pair<double, double>>> result;
+struct PlacedTriangle {
+    Triangle corners;
+    Vec3 low, high;
+};
+
+/// Triangles of the region that come as near to the box as `reach`.
+std::vector<PlacedTriangle> near_triangles(const Object& object, const RegionPlace& of, const RegionPlace& box,
+                                           double reach) {
+    std::vector<PlacedTriangle> result;
     for (const int t : of.part->region.triangles) {
-        Triangle triangle;
+        const auto& corners = object.mesh.triangles[static_cast<std::size_t>(t)];
+        PlacedTriangle placed;
         for (std::size_t i = 0; i < 3; ++i)
-            triangle[i] =
-                of.frame *
-                object.mesh.positions[static_cast<std::size_t>(object.mesh.triangles[static_cast<std::size_t>(t)][i])];
-        const Vec3 low = triangle[0].cwiseMin(triangle[1]).cwiseMin(triangle[2]);
-        const Vec3 high = triangle[0].cwiseMax(triangle[1]).cwiseMax(triangle[2]);
-        if (((low - box.high).array() > reach).any() || ((box.low - high).array() > reach).any()) continue;
-        result.push_back({triangle, {low.x(), high.x()}});
+            placed.corners[i] = of.frame * object.mesh.positions[static_cast<std::size_t>(corners[i])];
+        placed.low = placed.corners[0].cwiseMin(placed.corners[1]).cwiseMin(placed.corners[2]);
+        placed.high = placed.corners[0].cwiseMax(placed.corners[1]).cwiseMax(placed.corners[2]);
+        if (((placed.low - box.high).array() > reach).any() || ((box.low - placed.high).array() > reach).any())
+            continue;
+        result.push_back(placed);
     }
-    std::ranges::stable_sort(result, {}, [](const auto& each) { return each.second.first; });
     return result;
+}
+
+/// The axis along which the triangles spread most.
+int longest_axis(const std::vector<PlacedTriangle>& triangles) {
+    Vec3 low = Vec3::Constant(infinity), high = -low;
+    for (const PlacedTriangle& each : triangles) {
+        low = low.cwiseMin(each.low);
+        high = high.cwiseMax(each.high);
+    }
+    int axis = 0;
+    if (!triangles.empty()) (high - low).maxCoeff(&axis);
+    return axis;
 }
 
 bool share_a_vertex(const Object& object, const RegionPlace& a, const RegionPlace& b) {
@@ -166,15 +182,19 @@ double gap(const Object& object, std::span<const RegionPlace* const> regions) {
     for (int axis = 0; axis < 3; ++axis) apart = std::max(apart, distance_along(a, b, axis));
     if (apart > reach) return fraction(apart, size);
     if (share_a_vertex(object, a, b)) return 0;
-    const auto of_a = near_triangles(object, a, b, reach), of_b = near_triangles(object, b, a, reach);
+    std::vector<PlacedTriangle> of_a = near_triangles(object, a, b, reach), of_b = near_triangles(object, b, a, reach);
+    const int axis = longest_axis(of_b);
+    for (std::vector<PlacedTriangle>* triangles : {&of_a, &of_b})
+        std::ranges::stable_sort(*triangles, {}, [&](const PlacedTriangle& each) { return each.low[axis]; });
     double nearest = reach;
     std::size_t first = 0;
-    for (const auto& [triangle, extent] : of_a) {
+    for (const PlacedTriangle& x : of_a) {
         // What ends before this triangle begins, ends before all later ones do.
-        while (first < of_b.size() && of_b[first].second.second < extent.first - reach) ++first;
-        for (std::size_t i = first; i < of_b.size() && of_b[i].second.first <= extent.second + nearest; ++i) {
-            if (of_b[i].second.second < extent.first - nearest) continue;
-            nearest = std::min(nearest, distance_of_triangles(triangle, of_b[i].first));
+        while (first < of_b.size() && of_b[first].high[axis] < x.low[axis] - reach) ++first;
+        for (std::size_t i = first; i < of_b.size() && of_b[i].low[axis] <= x.high[axis] + nearest; ++i) {
+            const PlacedTriangle& y = of_b[i];
+            if (((y.low - x.high).array() >= nearest).any() || ((x.low - y.high).array() >= nearest).any()) continue;
+            nearest = std::min(nearest, distance_of_triangles(x.corners, y.corners));
             if (nearest == 0) return 0;
         }
     }
@@ -208,7 +228,7 @@ double opening_angle(const Object&, std::span<const RegionPlace* const> regions)
 }
 
 const std::array<RelationMeasure, 6> measures = {{
-    {"gap", 2, "diagonal", "smallest distance between the two regions; a large one is that of their boxes", gap},
+    {"gap", 2, "diagonal", "smallest distance between the two regions; from 0.05 on, at least that", gap},
     {"rise", 2, "height", "from the top of the reference up to the middle of the target", rise},
     {"side step", 2, "diagonal", "horizontal distance of the two boxes, 0 when one is over the other", side_step},
     {"level overlap", 2, "1", "common range of heights, as a fraction of the lower region's", level_overlap},
