@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <fstream>
+#include <random>
 
 #include "base/errors.h"
 #include "examples/objects.h"
@@ -228,6 +230,48 @@ TEST(Relations, MeasuresOfBoxes) {
     EXPECT_NEAR(measured("footprint overlap", {a, b}), 1, 1e-12);
     EXPECT_NEAR(measured("opening angle", {a, b, c}), 90, 1e-9);
     EXPECT_FALSE(relation_score(std::span(&touching(), 1), object, std::vector<const RegionPlace*>{a, b, c}));
+}
+
+// The second opinion: points all over both triangles.
+TEST(Relations, GapIsThatOfTheNearestPoints) {
+    std::mt19937 random(7);
+    const auto coordinate = [&] { return static_cast<double>(random() % 1000) / 1000; };
+    int apart = 0, touching_pairs = 0;
+    for (int round = 0; round < 200; ++round) {
+        SCOPED_TRACE("round " + std::to_string(round));
+        Object object;
+        const double offset = 0.8 * coordinate();
+        for (int v = 0; v < 6; ++v)
+            object.mesh.positions.emplace_back(coordinate() + (v < 3 ? 0 : offset), coordinate(), coordinate());
+        object.mesh.positions.emplace_back(100, 0, 0);  // a diagonal of which all of this is near
+        object.mesh.triangles = {{0, 1, 2}, {3, 4, 5}};
+        object.geometry = compute_geometry(object.mesh);
+        std::vector<PartRegion> parts(2);
+        for (int t = 0; t < 2; ++t) parts[static_cast<std::size_t>(t)].region.triangles = {t};
+        const Eigen::Matrix3d frame = upright_frame(object);
+        const RegionPlace a = place_of(object, parts[0], frame), b = place_of(object, parts[1], frame);
+        const double gap =
+            find_relation_measure("gap")->value(object, std::array{&a, &b}) * compute_bounds(object.mesh).diagonal();
+        constexpr int steps = 24;
+        const auto points = [&](std::size_t t) {
+            std::vector<Vec3> all;
+            const auto& corners = object.mesh.triangles[t];
+            const auto at = [&](std::size_t i) { return object.mesh.positions[static_cast<std::size_t>(corners[i])]; };
+            for (int i = 0; i <= steps; ++i)
+                for (int j = 0; i + j <= steps; ++j)
+                    all.emplace_back((i * at(0) + j * at(1) + (steps - i - j) * at(2)) / steps);
+            return all;
+        };
+        double sampled = 1e9;
+        const std::vector<Vec3> others = points(1);
+        for (const Vec3& p : points(0))
+            for (const Vec3& q : others) sampled = std::min(sampled, (p - q).norm());
+        EXPECT_LE(gap, sampled + 1e-9);
+        EXPECT_GE(gap, sampled - 2 * 1.8 / steps);  // no point is further from a sample than an edge over the steps
+        (gap > 0 ? apart : touching_pairs) += 1;
+    }
+    EXPECT_GT(apart, 50);
+    EXPECT_GT(touching_pairs, 5);
 }
 
 }  // namespace
