@@ -20,6 +20,7 @@
 #include "mesh/read_mesh.h"
 #include "report/write.h"
 #include "report/write_all.h"
+#include "shape/ranges.h"
 
 namespace partonomy::app {
 namespace {
@@ -133,7 +134,7 @@ Annotation annotate_file(const Arguments& arguments, const Knowhow& knowhow, con
 
     progress.show(fmt::format("{}: writing", mesh_path));
     write_outputs(folder, {arguments.formats.begin(), arguments.formats.end()}, object.mesh, annotation,
-                  object.placement.up, {.threads = arguments.threads, .tree = object.tree.get()});
+                  object.placement.up, {.threads = arguments.threads});
     return annotation;
 }
 
@@ -173,8 +174,10 @@ int run_annotate(const Arguments& arguments) {
     const Progress progress(arguments.quiet);
     // Cutting a mesh needs no ontology: with a thread to spare, the ontology is read while the first mesh is cut.
     progress.show("reading " + arguments.ontology.path + " and " + arguments.meshes.front());
-    std::future<Knowhow> loading = std::async(arguments.threads == 1 ? std::launch::deferred : std::launch::async,
-                                              [&] { return load(arguments.ontology); });
+    std::future<Knowhow> loading = std::async(arguments.threads == 1 ? std::launch::deferred : std::launch::async, [&] {
+        start_threads(arguments.threads);
+        return load(arguments.ontology);
+    });
     if (arguments.threads == 1) loading.wait();
     std::optional<Input> first;
     std::exception_ptr first_error;

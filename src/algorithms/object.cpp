@@ -12,7 +12,6 @@
 #include "algorithms/object.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -84,11 +83,7 @@ Object make_object(TriangleMesh mesh, const Placement& placement, int threads) {
             object.low = std::min(object.low, z);
             object.high = std::max(object.high, z);
         }
-    const auto start = std::chrono::steady_clock::now();
-    object.tree = std::make_shared<const RayTree>(object.mesh, threads);
-    object.times.emplace_back(
-        "tree", std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
-    object.candidates = find_parts(object.mesh, {placement.up, threads, object.tree}, &object.times);
+    object.candidates = find_parts(object.mesh, {placement.up, threads}, &object.times);
     return object;
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,7 +30,6 @@ struct Object {
     double low = 0, high = 0;            ///< extent along up, in file units
     std::vector<PartRegion> candidates;  ///< box-like regions of find_parts: what every `find all` chooses from
     StageTimes times;                    ///< of finding them
-    std::shared_ptr<const RayTree> tree;  ///< of the mesh
 };
 
 /// Measures the mesh and cuts it into candidate regions. Needs no ontology. threads <= 0: all cores.

@@ -107,6 +107,17 @@ Bounds compute_bounds(const TriangleMesh& mesh) {
     return bounds;
 }
 
+Bounds compute_used_bounds(const TriangleMesh& mesh) {
+    const Vec3& start = mesh.positions[static_cast<std::size_t>(mesh.triangles.front()[0])];
+    Bounds bounds{start, start};
+    for (const auto& triangle : mesh.triangles)
+        for (const std::int32_t corner : triangle) {
+            bounds.low = bounds.low.cwiseMin(mesh.positions[static_cast<std::size_t>(corner)]);
+            bounds.high = bounds.high.cwiseMax(mesh.positions[static_cast<std::size_t>(corner)]);
+        }
+    return bounds;
+}
+
 std::string validate(const TriangleMesh& mesh) {
     for (std::size_t v = 0; v < mesh.positions.size(); ++v)
         if (!mesh.positions[v].allFinite()) return fmt::format("position {} is not finite", v);

@@ -35,9 +35,10 @@ struct TriangleGeometry {
     std::vector<Vec3> barycentres;
 };
 
-/// Smallest and largest coordinates over all positions.
+/// Smallest and largest coordinates.
 struct Bounds {
     Vec3 low, high;
+    [[nodiscard]] Vec3 middle() const { return low / 2 + high / 2; }
     [[nodiscard]] double diagonal() const { return (high - low).norm(); }
 };
 
@@ -49,6 +50,10 @@ struct Bounds {
 
 /// Bounds of a mesh with at least one position.
 [[nodiscard]] Bounds compute_bounds(const TriangleMesh& mesh);
+
+/// Bounds of the positions that triangles use, so that an unused vertex far away counts for nothing; for a mesh with at
+/// least one triangle.
+[[nodiscard]] Bounds compute_used_bounds(const TriangleMesh& mesh);
 
 /// The first promise of TriangleMesh that `mesh` breaks, as a sentence; empty when it keeps all of them. For tests and
 /// for meshes that were made by hand.

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <memory>
 #include <optional>
 
 #include "base/errors.h"
@@ -44,7 +45,7 @@ std::optional<Palette> make_palette(const Canvas& canvas) {
     for (std::size_t p = 0; p < palette.pixels.size(); ++p) {
         while (p > 0 && p + run <= palette.pixels.size() &&
                std::memcmp(&canvas.rgb[3 * p], like_last.data(), like_last.size()) == 0) {
-            std::fill_n(palette.pixels.begin() + static_cast<std::ptrdiff_t>(p), run, last_index);
+            std::memset(&palette.pixels[p], last_index, run);
             p += run;
         }
         if (p == palette.pixels.size()) break;
@@ -61,7 +62,7 @@ std::optional<Palette> make_palette(const Canvas& canvas) {
             }
             last = color;
             last_index = static_cast<std::uint8_t>(table[slot] - 1);
-            for (std::size_t i = 0; i < like_last.size(); ++i) like_last[i] = color[i % 3];
+            for (std::size_t i = 0; i < run; ++i) std::memcpy(&like_last[3 * i], color.data(), color.size());
         }
         palette.pixels[p] = last_index;
     }
@@ -100,11 +101,10 @@ std::string encode_png(const Canvas& canvas) {
     const void* pixels = palette ? palette->pixels.data() : canvas.rgb.data();
     const void* colors = palette ? palette->colors.data() : nullptr;
     png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
-    std::string bytes(size, '\0');
-    if (png_image_write_to_memory(&image, bytes.data(), &size, 0, pixels, 0, colors) == 0)
+    const auto bytes = std::make_unique_for_overwrite<char[]>(size);  // little of it will be touched
+    if (png_image_write_to_memory(&image, bytes.get(), &size, 0, pixels, 0, colors) == 0)
         throw Error(std::string("the preview cannot be encoded as PNG: ") + image.message);
-    bytes.resize(size);
-    return bytes;
+    return {bytes.get(), size};
 }
 
 }  // namespace partonomy

@@ -94,25 +94,13 @@ std::size_t add_vectors(Builder& builder, const std::vector<float>& values, bool
     return builder.accessors.size() - 1;
 }
 
-/// The middle of the used corners, so that an unused vertex far away costs no precision.
-Vec3 middle_of(const TriangleMesh& mesh) {
-    if (mesh.triangles.empty()) return Vec3::Zero();
-    const double infinity = std::numeric_limits<double>::infinity();
-    Vec3 low = Vec3::Constant(infinity), high = -low;
-    for (const auto& triangle : mesh.triangles)
-        for (const std::int32_t corner : triangle) {
-            low = low.cwiseMin(mesh.positions[static_cast<std::size_t>(corner)]);
-            high = high.cwiseMax(mesh.positions[static_cast<std::size_t>(corner)]);
-        }
-    return low / 2 + high / 2;
-}
-
 /// Adds material, mesh and node for some triangles; `place` takes a point of the mesh to the root node's frame.
 void add_node(Builder& builder, const TriangleMesh& mesh, const std::vector<std::int32_t>& triangles, const auto& place,
               const std::string& name, std::array<std::uint8_t, 3> color, const Json& extras) {
     std::vector<float> positions, normals;
-    positions.reserve(triangles.size() * 9);
-    normals.reserve(triangles.size() * 9);
+    positions.resize(triangles.size() * 9);
+    normals.resize(triangles.size() * 9);
+    std::size_t at = 0;
     for (const std::int32_t t : triangles) {
         std::array<Vec3, 3> corners;
         for (std::size_t i = 0; i < 3; ++i)
@@ -123,9 +111,9 @@ void add_node(Builder& builder, const TriangleMesh& mesh, const std::vector<std:
         const double length = cross.stableNorm();
         const Vec3 normal = length > 0 ? Vec3(cross / length) : Vec3::UnitY();
         for (const Vec3& corner : corners)
-            for (int axis = 0; axis < 3; ++axis) {
-                positions.push_back(static_cast<float>(corner[axis]));
-                normals.push_back(static_cast<float>(normal[axis]));
+            for (int axis = 0; axis < 3; ++axis, ++at) {
+                positions[at] = static_cast<float>(corner[axis]);
+                normals[at] = static_cast<float>(normal[axis]);
             }
     }
     builder.materials.push_back(
@@ -143,7 +131,7 @@ void add_node(Builder& builder, const TriangleMesh& mesh, const std::vector<std:
     builder.meshes.push_back({{"name", name}, {"primitives", Json::array({primitive})}});
     Json node = {{"name", name}, {"mesh", builder.meshes.size() - 1}};
     if (!extras.is_null()) node["extras"] = extras;
-    builder.nodes.push_back(node);
+    builder.nodes.push_back(std::move(node));
 }
 
 void append_u32(std::string& bytes, std::size_t value) {
@@ -176,7 +164,7 @@ std::string pack(const Json& json, std::string binary) {
 std::string to_glb(const TriangleMesh& mesh, const Annotation& annotation, const Vec3& up) {
     check_belongs(mesh, annotation);
     const Mat3 turn = turn_up_to_y(up);
-    const Vec3 middle = middle_of(mesh);
+    const Vec3 middle = mesh.triangles.empty() ? Vec3(Vec3::Zero()) : compute_used_bounds(mesh).middle();
     const auto place = [&](const Vec3& point) -> Vec3 { return turn * (point - middle); };
 
     std::vector<std::vector<std::int32_t>> groups(annotation.parts.size() + 1);  // the last: without a part
@@ -209,12 +197,12 @@ std::string to_glb(const TriangleMesh& mesh, const Annotation& annotation, const
     json["asset"] = {{"version", "2.0"}, {"generator", "Partonomy"}};
     json["scene"] = 0;
     json["scenes"] = Json::array({{{"nodes", {0}}}});
-    json["nodes"] = builder.nodes;
+    json["nodes"] = std::move(builder.nodes);
     if (!builder.meshes.empty()) {
-        json["meshes"] = builder.meshes;
-        json["materials"] = builder.materials;
-        json["accessors"] = builder.accessors;
-        json["bufferViews"] = builder.views;
+        json["meshes"] = std::move(builder.meshes);
+        json["materials"] = std::move(builder.materials);
+        json["accessors"] = std::move(builder.accessors);
+        json["bufferViews"] = std::move(builder.views);
         json["buffers"] = Json::array({{{"byteLength", (builder.binary.size() + 3) / 4 * 4}}});
     }
     return pack(json, std::move(builder.binary));

@@ -7,7 +7,6 @@
 
 #include "expert/annotation.h"
 #include "mesh/triangle_mesh.h"
-#include "shape/ray_tree.h"
 
 namespace partonomy {
 
@@ -33,10 +32,9 @@ inline constexpr std::array<std::uint8_t, 3> unlabelled_color{190, 190, 190};
 struct PreviewOptions {
     int width = 480, height = 360;  ///< pixels
     int threads = 1;
-    const RayTree* tree = nullptr;  ///< of the mesh, where there is one already
 };
 
-/// A PNG picture of the object in its parts' colours with a legend of names and scores; rays by Embree, no display.
+/// A PNG picture of the object in its parts' colours with a legend of names and scores; needs no display.
 [[nodiscard]] std::string to_png(const TriangleMesh& mesh, const Annotation& annotation, const Vec3& up,
                                  const PreviewOptions& options = {});
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <span>
 
@@ -19,18 +18,19 @@ struct WallHit {
 
 /// A ray inside the solid.
 struct InnerRay {
-    Vec3 origin, direction;   ///< of unit length
+    Vec3 origin, direction;  ///< of unit length
     std::int32_t self = -1;  ///< triangle that it starts on and passes, -1 for none
 };
 
 /// Rays that travel inside the solid that a mesh bounds.
 class RayScene {
 public:
-    /// Builds the tree; threads <= 0: all cores. Hits are the same on any number of threads. The mesh must outlive this.
+    /// Builds the tree; threads <= 0: all cores. Hits are the same on any number of threads. The mesh must outlive
+    /// this.
     explicit RayScene(const TriangleMesh& mesh, int threads = 1);
-    /// With a tree of the mesh that is already there (or nullptr). With a refinement, rays meet the few large triangles
-    /// of `mesh`, but `self` and hits are told in the small ones of the refinement, which must outlive this.
-    RayScene(const TriangleMesh& mesh, std::shared_ptr<const RayTree> tree, const Refinement* refinement, int threads);
+    /// With a refinement of the mesh (or nullptr): rays meet the few large triangles of `mesh`, but `self` and hits are
+    /// told in the small ones of the refinement, which must outlive this.
+    RayScene(const TriangleMesh& mesh, const Refinement* refinement, int threads);
 
     /// The first wall that the ray leaves the solid through: the triangle's front looks along `direction`. Walls met
     /// from outside and the triangle that the ray starts on are passed.
@@ -45,7 +45,7 @@ private:
     struct Met;
     [[nodiscard]] std::optional<WallHit> judge(const InnerRay& ray, const Met& met) const;
     const TriangleMesh& mesh_;
-    std::shared_ptr<const RayTree> tree_;
+    RayTree tree_;
     const Refinement* refinement_;
 };
 

@@ -5,7 +5,6 @@
 
 #include <embree3/rtcore.h>
 
-#include <limits>
 #include <string>
 
 #include "base/errors.h"
@@ -14,10 +13,12 @@ namespace partonomy {
 
 namespace {
 
-/// One device for the whole process: making one costs as much as the tree of a small mesh. Embree limits all of TBB to the
-/// threads of its devices, so one that builds on a single thread is made only when nothing else may use more.
+/// One device for the whole process: making one costs as much as the tree of a small mesh. Embree limits all of TBB to
+/// the threads of its devices, so one that builds on a single thread is made only when nothing else may use more. The
+/// cache is for subdivision surfaces, which no mesh of ours has.
 RTCDevice device(int threads) {
-    static const RTCDevice shared = rtcNewDevice(threads == 1 ? "threads=1,set_affinity=0" : "set_affinity=0");
+    static const RTCDevice shared = rtcNewDevice(threads == 1 ? "threads=1,set_affinity=0,tessellation_cache_size=0"
+                                                              : "set_affinity=0,tessellation_cache_size=0");
     if (shared == nullptr)
         throw Error("Embree cannot start (error " + std::to_string(static_cast<int>(rtcGetDeviceError(nullptr))) +
                     "), so no ray can be shot");
@@ -27,16 +28,10 @@ RTCDevice device(int threads) {
 }  // namespace
 
 RayTree::RayTree(const TriangleMesh& mesh, int threads) {
-    const double infinity = std::numeric_limits<double>::infinity();
-    Vec3 low = Vec3::Constant(infinity), high = -low;
-    for (const auto& triangle : mesh.triangles)
-        for (const std::int32_t corner : triangle) {
-            low = low.cwiseMin(mesh.positions[static_cast<std::size_t>(corner)]);
-            high = high.cwiseMax(mesh.positions[static_cast<std::size_t>(corner)]);
-        }
     if (!mesh.triangles.empty()) {
-        middle_ = low / 2 + high / 2;
-        const double diagonal = (high / 2 - low / 2).stableNorm() * 2;
+        const Bounds bounds = compute_used_bounds(mesh);
+        middle_ = bounds.middle();
+        const double diagonal = (bounds.high / 2 - bounds.low / 2).stableNorm() * 2;
         if (diagonal > 0) scale_ = 1 / diagonal;
     }
     RTCGeometry geometry = rtcNewGeometry(device(threads), RTC_GEOMETRY_TYPE_TRIANGLE);

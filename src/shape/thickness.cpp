@@ -22,9 +22,10 @@ Thickness measure_thickness(const RayScene& scene, const TriangleGeometry& geome
     thickness.opposites.resize(count);
     for_each_range(count, threads, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            const WallHit hit = geometry.areas[i] > 0 ? scene.exit_wall({geometry.barycentres[i], -geometry.normals[i],
-                                                                        static_cast<std::int32_t>(i)})
-                                                      : WallHit{std::numeric_limits<float>::infinity(), -1};
+            const WallHit hit =
+                geometry.areas[i] > 0
+                    ? scene.exit_wall({geometry.barycentres[i], -geometry.normals[i], static_cast<std::int32_t>(i)})
+                    : WallHit{std::numeric_limits<float>::infinity(), -1};
             thickness.distances[i] = hit.distance;
             thickness.opposites[i] = hit.triangle;
         }
