@@ -6,7 +6,9 @@
 // are found by union-find, so no seed and no order is involved. At a joint of two parts the ray runs into the other
 // part, so the thickness jumps and the set ends by itself. What remains is taken apart in a second way:
 //
-// A set may still be a comb: back posts as thick as the backrest they carry. Sampled triangles therefore look around
+// A set that is a plain slab or bar is a core as it is (plain_pieces.cpp).
+//
+// Any other set may still be a comb: back posts as thick as the backrest they carry. Sampled triangles therefore look around
 // from the middle between their two walls, along the walls: a stick is as narrow as thick, a board wider than twice its
 // thickness, and where it is far narrower than thick the walls are the two ends of something thin (the rim of a seat
 // faces the other rim across the whole seat) and no core. The samples' surroundings (cells) vote with their neighbours,
@@ -32,6 +34,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "shape/plain_pieces.h"
 #include "shape/ranges.h"
 
 namespace partonomy {
@@ -154,18 +157,61 @@ double median_thickness(const Surface& s, const std::vector<std::int32_t>& trian
     return *middle;
 }
 
+/// A component and what its sampled triangles, the seeds of its cells, see around them.
+struct Sampled {
+    Core component;
+    std::vector<std::int32_t> seeds;
+    std::vector<Cell> cells;
+};
+
+/// Triangles spread evenly over the area of a component.
+std::vector<std::int32_t> choose_seeds(const Surface& s, const Core& component, double total_area) {
+    const double all_cells = std::clamp(static_cast<double>(s.count()) / triangles_a_cell, least_cells, most_cells);
+    const double wanted = std::clamp(component.area / (cell_area * component.thickness * component.thickness),
+                                     fewest_cells, fewest_cells + all_cells * component.area / total_area);
+    const double step = component.area / wanted;
+    double next = step / 2, sum = 0;
+    std::vector<std::int32_t> seeds;
+    for (const std::int32_t i : component.triangles) {
+        sum += s.geometry.areas[i];
+        if (sum < next) continue;
+        while (next <= sum) next += step;
+        seeds.push_back(i);
+    }
+    return seeds;
+}
+
+/// Looks around from the seeds of all components; one loop over all of them keeps every thread busy.
+void look_around(const Surface& s, std::vector<Sampled>& components, bool slanted) {
+    std::vector<std::pair<Sampled*, std::size_t>> places;
+    for (Sampled& sampled : components) {
+        sampled.cells.resize(sampled.seeds.size());
+        for (std::size_t k = 0; k < sampled.seeds.size(); ++k) places.emplace_back(&sampled, k);
+    }
+    constexpr std::size_t seeds_a_piece = 8;
+    for_each_range(
+        places.size(), s.threads,
+        [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                const auto& [sampled, k] = places[i];
+                const std::int32_t seed = sampled->seeds[k];
+                double t = s.thickness.distances[seed];
+                const Chords c = slanted ? chords_through_middle(s, seed, t) : chords_around(s, seed);
+                sampled->cells[k] = {t, c.narrow / t, c.wide / t, c.along, 0, Solidity::unknown, false, {}};
+            }
+        },
+        seeds_a_piece);
+}
+
 /// Cuts one component where it changes between board and stick or where a stick turns a corner.
 class Divider {
 public:
-    Divider(const Surface& surface, double total_area, bool slanted, std::vector<std::int32_t>& cell_of)
-        : s_(surface),
-          total_area_(total_area),
-          all_cells_(std::clamp(static_cast<double>(surface.count()) / triangles_a_cell, least_cells, most_cells)),
-          slanted_(slanted),
-          cell_of_(cell_of) {}
+    Divider(const Surface& surface, bool slanted) : s_(surface), slanted_(slanted), cell_of_(surface.count(), -1) {}
 
-    void divide(const Core& component, std::vector<Core>& out) {
-        sample(component);
+    void divide(Sampled sampled, std::vector<Core>& out) {
+        const Core& component = sampled.component;
+        seeds_ = std::move(sampled.seeds);
+        cells_ = std::move(sampled.cells);
         spread(component);
         smooth();
         Sets sets(cells_.size());
@@ -178,33 +224,6 @@ public:
     }
 
 private:
-    void sample(const Core& component) {
-        cells_.clear();
-        seeds_.clear();
-        const double wanted = std::clamp(component.area / (cell_area * component.thickness * component.thickness),
-                                         fewest_cells, fewest_cells + all_cells_ * component.area / total_area_);
-        const double step = component.area / wanted;
-        double next = step / 2, sum = 0;
-        for (const std::int32_t i : component.triangles) {
-            sum += s_.geometry.areas[i];
-            if (sum < next) continue;
-            while (next <= sum) next += step;
-            seeds_.push_back(i);
-        }
-        cells_.resize(seeds_.size());
-        constexpr std::size_t seeds_a_piece = 8;
-        for_each_range(
-            seeds_.size(), s_.threads,
-            [&](std::size_t begin, std::size_t end) {
-                for (std::size_t k = begin; k < end; ++k) {
-                    double t = s_.thickness.distances[seeds_[k]];
-                    const Chords c = slanted_ ? chords_through_middle(s_, seeds_[k], t) : chords_around(s_, seeds_[k]);
-                    cells_[k] = {t, c.narrow / t, c.wide / t, c.along, 0, Solidity::unknown, false, {}};
-                }
-            },
-            seeds_a_piece);
-    }
-
     void spread(const Core& component) {
         for (const std::int32_t i : component.triangles) cell_of_[i] = -2;
         std::vector<std::int32_t> queue;
@@ -347,10 +366,8 @@ private:
     }
 
     const Surface& s_;
-    double total_area_;
-    double all_cells_;
     bool slanted_;  ///< the second search: walls that are not parallel; sticks are not parted where they turn
-    std::vector<std::int32_t>& cell_of_;
+    std::vector<std::int32_t> cell_of_;
     std::vector<Cell> cells_;
     std::vector<std::int32_t> seeds_;
 };
@@ -417,21 +434,32 @@ void drop_odd_thickness(const Surface& s, Core& component, bool slanted) {
 /// The parts of components that can be cores.
 std::vector<Core> divide(const Surface& s, std::vector<Core> components, double total_area, double least_cubes,
                          bool slanted) {
-    std::vector<std::int32_t> cell_of(s.count(), -1);
-    Divider divider(s, total_area, slanted, cell_of);
     const auto too_small = [&](Core& core) {
         const bool is_fin = core.thickness < s.grain && core.area < largest_fin * total_area;
         return core.area < least_share * total_area || is_fin ||
                core.area < least_cubes * core.thickness * core.thickness;
     };
     std::vector<Core> cores;
+    std::vector<Sampled> sampled;
     for (Core& component : components) {
         if (component.triangles.size() < 4) continue;
         component.thickness = median_thickness(s, component.triangles);
         if (too_small(component)) continue;
         drop_odd_thickness(s, component, slanted);
-        divider.divide(component, cores);
+        const auto plain =
+            slanted ? std::nullopt : as_plain_piece(s, component.triangles, component.thickness, component.area);
+        if (plain) {
+            component.kind = kind_of(plain->narrow / component.thickness, plain->wide / component.thickness, narrowest);
+            component.axis = plain->along;
+            cores.push_back(std::move(component));
+            continue;
+        }
+        std::vector<std::int32_t> seeds = choose_seeds(s, component, total_area);
+        sampled.push_back({std::move(component), std::move(seeds), {}});
     }
+    look_around(s, sampled, slanted);
+    Divider divider(s, slanted);
+    for (Sampled& component : sampled) divider.divide(std::move(component), cores);
     std::erase_if(cores, [&](Core& core) { return core.kind == Solidity::unknown || too_small(core); });
     return cores;
 }

@@ -24,6 +24,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "shape/rectangle.h"
+
 namespace partonomy {
 
 namespace {
@@ -75,57 +77,6 @@ bool fills_its_corners(const Points& points, const Matrix3d& axes, double size) 
 /// Volume that still tells flat sets apart: sides are counted as at least a billionth of the size.
 double padded_volume(const Vec3& sides, double size) { return (sides.array() + 1e-9 * size).prod(); }
 
-struct Rectangle {
-    Eigen::Vector2d side;  // unit direction of one side
-    double area = std::numeric_limits<double>::infinity();
-};
-
-/// The smallest rectangle around points in the plane, by their hull and one calliper position per hull edge.
-Rectangle smallest_rectangle(std::vector<Eigen::Vector2d>& points, double size) {
-    std::sort(points.begin(), points.end(), [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-        return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
-    });
-    const auto cross = [](const Eigen::Vector2d& o, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-        return (a.x() - o.x()) * (b.y() - o.y()) - (a.y() - o.y()) * (b.x() - o.x());
-    };
-    std::vector<Eigen::Vector2d> hull(2 * points.size() + 1);
-    std::size_t k = 0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        while (k >= 2 && cross(hull[k - 2], hull[k - 1], points[i]) <= 0) --k;
-        hull[k++] = points[i];
-    }
-    for (std::size_t i = points.size() - 1, floor = k + 1; i-- > 0;) {
-        while (k >= floor && cross(hull[k - 2], hull[k - 1], points[i]) <= 0) --k;
-        hull[k++] = points[i];
-    }
-    const std::size_t corners = k > 1 ? k - 1 : 1;
-    Rectangle best;
-    best.side = Eigen::Vector2d::UnitX();
-    std::size_t right = 0, top = 0, left = 0;
-    for (std::size_t e = 0; e < corners; ++e) {
-        const Eigen::Vector2d edge = hull[(e + 1) % corners] - hull[e];
-        if (edge.norm() <= 1e-12 * size) continue;
-        const Eigen::Vector2d u = edge.normalized(), v(-u.y(), u.x());
-        const auto advance = [&](std::size_t& at, const Eigen::Vector2d& direction) {
-            for (std::size_t steps = 0; steps < corners; ++steps) {
-                const std::size_t next = (at + 1) % corners;
-                if (hull[next].dot(direction) < hull[at].dot(direction) - 1e-12 * size) break;
-                at = next;
-            }
-        };
-        if (right == 0 && top == 0 && left == 0) right = e, top = e, left = e;
-        advance(right, u);
-        if (top == e) top = right;
-        advance(top, v);
-        if (left == e) left = top;
-        advance(left, -u);
-        const double width = (hull[right] - hull[left]).dot(u), height = (hull[top] - hull[e]).dot(v);
-        const double area = (width + 1e-9 * size) * (height + 1e-9 * size);
-        if (area < best.area) best = {u, area};
-    }
-    return best;
-}
-
 constexpr int most_turns = 60;  // flat sets would creep on: each turn gains a little of next to nothing
 
 class Search {
@@ -143,10 +94,11 @@ public:
             low = std::min(low, along);
             high = std::max(high, along);
         }
-        const Rectangle rectangle = smallest_rectangle(shadow_, size_);
+        convex_hull(shadow_, hull_);
+        const Rectangle rectangle = smallest_rectangle(hull_, size_);
         Turned turned;
         turned.axes.col(0) = axis;
-        turned.axes.col(1) = (rectangle.side.x() * x + rectangle.side.y() * y).normalized();
+        turned.axes.col(1) = (rectangle.side.x * x + rectangle.side.y * y).normalized();
         turned.axes.col(2) = turned.axes.col(0).cross(turned.axes.col(1));
         turned.volume = rectangle.area == std::numeric_limits<double>::infinity()
                             ? padded_volume(extents(points_, turned.axes), size_)
@@ -188,13 +140,13 @@ private:
 
     const Points& points_;
     double size_;
-    std::vector<Eigen::Vector2d> shadow_;
+    std::vector<Planar> shadow_, hull_;
 };
 
 constexpr Eigen::Index most_points_for_triples = 8;
 constexpr std::size_t most_points_at_once = 48;  // of more, those that are extreme somewhere take part first
-constexpr double second_chance = 1.01;  // a second box this near in volume may turn out to be the smaller one
-constexpr double fine_gain = 1e-7;  // a round of turning that gains less is the last
+constexpr double second_chance = 1.01;           // a second box this near in volume may turn out to be the smaller one
+constexpr double fine_gain = 1e-7;               // a round of turning that gains less is the last
 
 /// Numbers of the points that are extreme along one of the directions, ascending.
 std::vector<Eigen::Index> extreme_points(std::span<const Vec3> points, const Points& directions) {

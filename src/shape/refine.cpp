@@ -114,7 +114,8 @@ private:
     std::vector<std::int32_t> middle_;  ///< by half-edge
 };
 
-constexpr double fine_triangles = 2500;   // what a coarse mesh is cut into, about
+// What a coarse mesh is cut into, about: as many as it has, within these bounds.
+constexpr double fewest_triangles = 1400, most_triangles = 2500;
 constexpr double shortest_limit = 0.012;  // of the size: no finer than this
 
 }  // namespace
@@ -127,8 +128,9 @@ double refinement_length(const TriangleMesh& mesh, double size) {
         area += std::sqrt(std::max(0.0, u.squaredNorm() * v.squaredNorm() - u.dot(v) * u.dot(v))) / 2;
         longest = std::max({longest, u.squaredNorm(), v.squaredNorm(), (u - v).squaredNorm()});
     }
+    const double wanted = std::clamp(static_cast<double>(mesh.triangles.size()), fewest_triangles, most_triangles);
     // Halving leaves edges of 0.7 of the limit on average, and triangles of about a quarter of its square.
-    const double limit = std::max(shortest_limit * size, std::sqrt(area / fine_triangles / 0.25));
+    const double limit = std::max(shortest_limit * size, std::sqrt(area / wanted / 0.25));
     return longest > limit * limit ? limit : std::numeric_limits<double>::infinity();
 }
 
