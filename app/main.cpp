@@ -39,7 +39,8 @@ int main(int argc, char** argv) {
     constexpr int megabyte = 1 << 20;
     ::mallopt(M_MMAP_THRESHOLD, 32 * megabyte);
     ::mallopt(M_TRIM_THRESHOLD, 64 * megabyte);
-    ::mallopt(M_TOP_PAD, megabyte);
+    ::mallopt(M_TOP_PAD, 4 * megabyte);
+    ::mallopt(M_ARENA_MAX, 1);  // threads work on what others made; heaps of their own are only more pages
     using namespace partonomy::app;
     CLI::App app("Cuts 3D meshes into parts and names them, guided by an OWL ontology.", "partonomy");
     app.set_version_flag("--version", "partonomy " PARTONOMY_VERSION);
