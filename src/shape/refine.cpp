@@ -114,8 +114,8 @@ private:
     std::vector<std::int32_t> middle_;  ///< by half-edge
 };
 
-// What a coarse mesh is cut into, about: as many as it has, within these bounds.
-constexpr double fewest_triangles = 1400, most_triangles = 2500;
+// What a coarse mesh is cut into, about: few triangles are few parts.
+constexpr double pieces_a_triangle = 24, fewest_pieces = 1400, most_pieces = 2500;
 constexpr double shortest_limit = 0.012;  // of the size: no finer than this
 
 }  // namespace
@@ -128,7 +128,8 @@ double refinement_length(const TriangleMesh& mesh, double size) {
         area += std::sqrt(std::max(0.0, u.squaredNorm() * v.squaredNorm() - u.dot(v) * u.dot(v))) / 2;
         longest = std::max({longest, u.squaredNorm(), v.squaredNorm(), (u - v).squaredNorm()});
     }
-    const double wanted = std::clamp(static_cast<double>(mesh.triangles.size()), fewest_triangles, most_triangles);
+    const double wanted =
+        std::clamp(pieces_a_triangle * static_cast<double>(mesh.triangles.size()), fewest_pieces, most_pieces);
     // Halving leaves edges of 0.7 of the limit on average, and triangles of about a quarter of its square.
     const double limit = std::max(shortest_limit * size, std::sqrt(area / wanted / 0.25));
     return longest > limit * limit ? limit : std::numeric_limits<double>::infinity();
