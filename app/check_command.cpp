@@ -1,15 +1,20 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "app/commands.h"
+#include "base/errors.h"
+#include "knowledge/lint.h"
 
 namespace partonomy::app {
 namespace {
 
 using knowledge::Domain;
+using knowledge::Finding;
 using knowledge::Space;
 using nlohmann::ordered_json;
 
@@ -60,42 +65,116 @@ void print_space(const std::string& title, const Space& space) {
                space.product_text(), space.possible.count_text());
 }
 
-int run_check(const Arguments& arguments) {
-    const Domain domain = arguments.ontology.load();
-    static_cast<void>(make_catalogue(domain));
-    std::vector<std::string> unsatisfiable;
-    for (const owl::Iri& iri : domain.unsatisfiable()) unsatisfiable.push_back(owl::local_name(iri));
-    const bool is_wrong = !unsatisfiable.empty() || !domain.warnings.empty();
-    if (arguments.json) {
-        ordered_json hierarchy = ordered_json::array();
-        for (const auto& [sub, super] : domain.hierarchy())
-            hierarchy.push_back({owl::local_name(sub), owl::local_name(super)});
-        ordered_json layers = {{"S1", space_as_json(domain.regions)}};
-        ordered_json composites = ordered_json::array();
-        for (const knowledge::CompositeSpace& composite : domain.composites) {
-            composites.push_back(space_as_json(composite.space));
-            composites.back()["layer"] = fmt::format("S{}", composite.layer);
+std::string place_of(const owl::Source& source) {
+    if (source.file.empty()) return {};
+    return source.line > 0 ? fmt::format("{}:{}", source.file, source.line) : source.file;
+}
+
+ordered_json finding_as_json(const Finding& finding, const owl::Ontology& ontology) {
+    std::vector<std::string> concepts;
+    for (const owl::Iri& iri : finding.concepts) concepts.push_back(owl::local_name(iri));
+    ordered_json causes = ordered_json::array();
+    for (const auto& cause : finding.causes) {
+        ordered_json axioms = ordered_json::array();
+        for (const std::size_t i : cause) {
+            const owl::Axiom& axiom = ontology.axioms[i];
+            axioms.push_back(
+                {{"axiom", to_manchester(axiom)}, {"file", axiom.source.file}, {"line", axiom.source.line}});
         }
-        layers[fmt::format("S{}", domain.object_layer())] = space_as_json(domain.objects);
-        const ordered_json result = {{"ontology", domain.ontology.iri},
-                                     {"layers", layers},
-                                     {"composites", composites},
-                                     {"hierarchy", hierarchy},
-                                     {"unsatisfiable", unsatisfiable},
-                                     {"warnings", domain.warnings},
-                                     {"ok", !is_wrong}};
-        fmt::print("{}\n", result.dump(2));
-    } else {
-        fmt::print("{}: {} axioms\n", domain.ontology.iri, domain.ontology.axioms.size());
-        print_space("S1, parts", domain.regions);
-        for (const knowledge::CompositeSpace& composite : domain.composites)
-            print_space(fmt::format("S{}, composite parts", composite.layer), composite.space);
-        print_space(fmt::format("S{}, objects", domain.object_layer()), domain.objects);
-        for (const std::string& name : unsatisfiable) fmt::print("wrong: nothing can ever be a {}\n", name);
-        for (const std::string& warning : domain.warnings) fmt::print("warning: {}\n", warning);
-        if (!is_wrong) fmt::print("nothing wrong found\n");
+        causes.push_back(std::move(axioms));
     }
-    return is_wrong ? bad_input : recognised;
+    return {{"kind", to_text(finding.kind)}, {"severity", finding.is_wrong ? "wrong" : "remark"},
+            {"concepts", concepts},          {"file", finding.where.file},
+            {"line", finding.where.line},    {"what", finding.what},
+            {"advice", finding.advice},      {"causes", causes}};
+}
+
+void print_finding(const Finding& finding, const owl::Ontology& ontology) {
+    const std::string place = place_of(finding.where);
+    fmt::print("{}: {}{}{}{}\n", finding.is_wrong ? "wrong" : "remark", place, place.empty() ? "" : ": ", finding.what,
+               finding.advice.empty() ? "" : "; " + finding.advice);
+    for (std::size_t i = 0; i < finding.causes.size(); ++i) {
+        if (finding.causes.size() > 1) fmt::print("    reason {} of {}\n", i + 1, finding.causes.size());
+        for (const std::size_t axiom : finding.causes[i])
+            fmt::print("    {}: {}\n", place_of(ontology.axioms[axiom].source), to_manchester(ontology.axioms[axiom]));
+    }
+}
+
+/// The ontology with its layers, unless it could not be compiled.
+struct Checked {
+    owl::Ontology ontology;
+    std::optional<Domain> domain;
+    std::vector<Finding> findings;
+};
+
+Checked look_at(const OntologyArguments& arguments) {
+    Checked checked{arguments.read(), std::nullopt, {}};
+    checked.findings = knowledge::unknown_terms(checked.ontology);
+    try {
+        checked.domain = knowledge::compile(checked.ontology, arguments.compile_options());
+    } catch (const OntologyError& error) {
+        checked.findings.push_back(knowledge::why_refused(checked.ontology, error.what()));
+        return checked;
+    }
+    Catalogue catalogue;
+    try {
+        catalogue = make_catalogue(*checked.domain);
+    } catch (const OntologyError& error) {
+        checked.findings.push_back(knowledge::why_refused(checked.ontology, error.what()));
+    }
+    knowledge::LintOptions options;
+    options.can_answer = [&](knowledge::Question question) {
+        return catalogue.find(Signature::is_a, question) != nullptr;
+    };
+    for (Finding& finding : lint(*checked.domain, options)) checked.findings.push_back(std::move(finding));
+    return checked;
+}
+
+ordered_json as_json(const Checked& checked, bool is_wrong) {
+    ordered_json result = {{"ontology", checked.ontology.iri}};
+    result["layers"] = ordered_json::object();
+    result["composites"] = ordered_json::array();
+    result["hierarchy"] = ordered_json::array();
+    result["unsatisfiable"] = ordered_json::array();
+    if (checked.domain) {
+        result["layers"]["S1"] = space_as_json(checked.domain->regions);
+        for (const knowledge::CompositeSpace& composite : checked.domain->composites) {
+            result["composites"].push_back(space_as_json(composite.space));
+            result["composites"].back()["layer"] = fmt::format("S{}", composite.layer);
+        }
+        result["layers"][fmt::format("S{}", checked.domain->object_layer())] = space_as_json(checked.domain->objects);
+        for (const auto& [sub, super] : checked.domain->hierarchy())
+            result["hierarchy"].push_back({owl::local_name(sub), owl::local_name(super)});
+        for (const owl::Iri& iri : checked.domain->unsatisfiable())
+            result["unsatisfiable"].push_back(owl::local_name(iri));
+    }
+    result["findings"] = ordered_json::array();
+    for (const Finding& finding : checked.findings)
+        result["findings"].push_back(finding_as_json(finding, checked.ontology));
+    result["ok"] = !is_wrong;
+    return result;
+}
+
+int run_check(const Arguments& arguments) {
+    const Checked checked = look_at(arguments.ontology);
+    const auto wrong = std::ranges::count_if(checked.findings, &Finding::is_wrong);
+    if (arguments.json) {
+        fmt::print("{}\n", as_json(checked, wrong > 0).dump(2));
+        return wrong > 0 ? bad_input : recognised;
+    }
+    fmt::print("{}: {} axioms\n", checked.ontology.iri, checked.ontology.axioms.size());
+    if (checked.domain) {
+        print_space("S1, parts", checked.domain->regions);
+        for (const knowledge::CompositeSpace& composite : checked.domain->composites)
+            print_space(fmt::format("S{}, composite parts", composite.layer), composite.space);
+        print_space(fmt::format("S{}, objects", checked.domain->object_layer()), checked.domain->objects);
+    }
+    for (const Finding& finding : checked.findings) print_finding(finding, checked.ontology);
+    if (wrong == 0)
+        fmt::print("nothing wrong found\n");
+    else
+        fmt::print("{} wrong\n", wrong == 1 ? "1 thing is" : fmt::format("{} things are", wrong));
+    return wrong > 0 ? bad_input : recognised;
 }
 
 }  // namespace

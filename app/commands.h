@@ -35,7 +35,9 @@ struct OntologyArguments {
     knowledge::DiagramOptions limits;
     std::size_t diagram_mb = limits.memory_limit >> 20;
     void add_to(CLI::App& command, bool positional);
-    [[nodiscard]] knowledge::Domain load() const;
+    [[nodiscard]] owl::Ontology read() const;
+    [[nodiscard]] knowledge::CompileOptions compile_options() const;
+    [[nodiscard]] knowledge::Domain load() const { return knowledge::compile(read(), compile_options()); }
 };
 
 }  // namespace partonomy::app

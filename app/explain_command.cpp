@@ -8,6 +8,7 @@
 #include "app/commands.h"
 #include "base/errors.h"
 #include "base/files.h"
+#include "expert/annotate.h"
 
 namespace partonomy::app {
 namespace {
@@ -17,6 +18,8 @@ using nlohmann::json;
 struct Arguments {
     std::string folder;
     int part = 0;
+    bool all = false;
+    OntologyArguments ontology;
 };
 
 json load(const std::string& folder) {
@@ -59,6 +62,51 @@ void print_list(const char* title, const json& lines) {
     for (const json& line : lines) fmt::print("    {}\n", line.is_string() ? line.get<std::string>() : line.dump());
 }
 
+knowledge::Domain load_same_ontology(OntologyArguments arguments, const json& annotation) {
+    const json& used = annotation.at("ontology");
+    if (arguments.path.empty()) arguments.path = used.at("file").get<std::string>();
+    if (sha256(read_file(arguments.path)) != used.at("sha256").get<std::string>())
+        throw UsageError(at(arguments.path, 0, "is not the ontology that the mesh was annotated with; annotate again"));
+    return arguments.load();
+}
+
+/// Every minimal explanation of every diagnosis, from the answers that the annotation keeps.
+void print_all_explanations(const Arguments& arguments, const json& annotation) {
+    const knowledge::Domain domain = load_same_ontology(arguments.ontology, annotation);
+    std::vector<LearnedAnswer> answers;
+    for (const json& each : annotation.at("knowledge").at("answers"))
+        answers.push_back({each.at("part").get<int>(), each.at("feature").get<std::string>(),
+                           each.at("value").get<std::string>(), each.at("yes").get<bool>(),
+                           each.at("score").get<double>()});
+    const knowledge::Knowledge knowledge = recall(
+        domain, static_cast<int>(annotation.at("parts").size()), annotation.at("knowledge").at("complete").get<bool>(),
+        answers, annotation.at("knowledge").at("connected").get<std::vector<std::pair<int, int>>>());
+    for (const json& diagnosis : annotation.at("diagnosis")) {
+        const auto name = diagnosis.at("concept").get<std::string>();
+        owl::Iri iri;
+        int region = -1;
+        std::vector<const knowledge::Space*> spaces{&domain.objects};
+        for (const knowledge::CompositeSpace& composite : domain.composites) spaces.push_back(&composite.space);
+        spaces.push_back(&domain.regions);
+        for (const knowledge::Space* space : spaces)
+            for (const knowledge::Concept& concept_ : space->concepts)
+                if (iri.empty() && owl::local_name(concept_.iri) == name && concept_.incompatible) {
+                    iri = concept_.iri;
+                    if (space == &domain.regions) region = diagnosis.at("parts").at(0).get<int>() - 1;
+                }
+        const knowledge::Explanations found = all_explanations(domain, knowledge, iri, region);
+        for (std::size_t i = 0; i < found.sets.size(); ++i) {
+            fmt::print("{}: explanation {} of {}{}\n", name, i + 1, found.sets.size(),
+                       found.is_complete ? "" : " or more");
+            for (const std::size_t a : found.sets[i].answers)
+                fmt::print("    {}\n", answer_in_words(domain, knowledge.answers[a], answers[a].score));
+            if (found.sets[i].needs_completeness) fmt::print("    {}\n", no_other_parts);
+            for (const std::size_t a : found.sets[i].axioms)
+                fmt::print("    {}\n", axiom_in_words(domain.ontology.axioms[a]));
+        }
+    }
+}
+
 int run_explain(const Arguments& arguments) {
     const json annotation = load(arguments.folder);
     try {
@@ -85,6 +133,7 @@ int run_explain(const Arguments& arguments) {
             print_list("axioms that lead to it", diagnosis.at("axioms"));
             print_list("cheapest corrections", diagnosis.at("corrections"));
         }
+        if (arguments.all) print_all_explanations(arguments, annotation);
         return object.at("consistent").get<bool>() ? recognised : incompatible;
     } catch (const json::exception& error) {
         throw UsageError(
@@ -99,6 +148,10 @@ void add_explain_command(CLI::App& app, Run& run) {
     CLI::App& command = *app.add_subcommand("explain", "why a part has its name, or why an object is impossible");
     command.add_option("DIR", arguments->folder, "folder of one annotated mesh")->required();
     command.add_option("--part", arguments->part, "only this part");
+    command.add_flag("--all", arguments->all, "every minimal explanation of what is impossible");
+    command.add_option("--ontology,-O", arguments->ontology.path, "for --all: where the ontology is now");
+    command.add_option("--import-dir", arguments->ontology.import_folders,
+                       "for --all: folder to search for imported ontologies (repeatable)");
     command.callback([arguments, &run] { run = [arguments] { return run_explain(*arguments); }; });
 }
 

@@ -32,15 +32,14 @@ bool is_functional(const Arguments& arguments) {
 
 int run_export(const Arguments& arguments) {
     const bool functional = is_functional(arguments);
-    owl::LoadOptions load;
-    load.import_folders.assign(arguments.ontology.import_folders.begin(), arguments.ontology.import_folders.end());
-    owl::Ontology ontology = owl::load_ontology(arguments.ontology.path, load);
+    owl::Ontology ontology = arguments.ontology.read();
     if (arguments.closed) {
         std::vector<owl::Iri> individuals = knowledge::individuals_of(ontology);
         if (individuals.empty())
-            throw UsageError(arguments.ontology.path +
-                             " names no individual, so there is no world to close; --closed is for knowledge bases about "
-                             "named things");
+            throw UsageError(
+                arguments.ontology.path +
+                " names no individual, so there is no world to close; --closed is for knowledge bases about "
+                "named things");
         ontology = knowledge::closed_ontology({std::move(ontology), std::move(individuals)});
     }
     const owl::WriteOptions options = {.merge_imports = arguments.merge_imports || arguments.closed};

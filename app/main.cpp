@@ -22,13 +22,17 @@ void OntologyArguments::add_to(CLI::App& command, bool positional) {
     command.add_option("--diagram-mb", diagram_mb, "memory that a diagram may take")->capture_default_str();
 }
 
-knowledge::Domain OntologyArguments::load() const {
+owl::Ontology OntologyArguments::read() const {
     owl::LoadOptions options;
     options.import_folders.assign(import_folders.begin(), import_folders.end());
-    knowledge::CompileOptions compiling;
-    compiling.diagram = limits;
-    compiling.diagram.memory_limit = diagram_mb << 20;
-    return knowledge::compile(owl::load_ontology(path, options), compiling);
+    return owl::load_ontology(path, options);
+}
+
+knowledge::CompileOptions OntologyArguments::compile_options() const {
+    knowledge::CompileOptions options;
+    options.diagram = limits;
+    options.diagram.memory_limit = diagram_mb << 20;
+    return options;
 }
 
 }  // namespace partonomy::app

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/files.h"
+#include "bench/bench_hermit.h"
 #include "bench/bench_knowledge.h"
 #include "bench/embree_reference.h"
 #include "examples/objects.h"
@@ -119,6 +120,7 @@ int main() {
     const fs::path folder = fs::temp_directory_path() / ("partonomy-bench-" + std::to_string(::getpid()));
     fs::create_directories(folder);
     bench::bench_ontology();
+    bench::bench_hermit();
     bench::bench_knowledge();
     bench::bench_whole_process(folder);
     bool has_data = false;

@@ -159,6 +159,20 @@ std::vector<std::string> open_questions(const Session& session, const std::vecto
     return open;
 }
 
+std::vector<LearnedAnswer> learned_answers(const Session& session) {
+    const knowledge::Knowledge knowledge = session.knowledge();
+    std::vector<LearnedAnswer> answers;
+    for (std::size_t i = 0; i < knowledge.answers.size(); ++i) {
+        const knowledge::Answer& answer = knowledge.answers[i];
+        const knowledge::Variable& variable =
+            session.domain().regions.variables[static_cast<std::size_t>(answer.question.variable)];
+        answers.push_back({answer.region + 1, feature_name(variable),
+                           variable.values[static_cast<std::size_t>(answer.question.value)], answer.yes,
+                           session.answer_scores()[i]});
+    }
+    return answers;
+}
+
 /// What follows when assumed names count as known.
 Conclusions conclude_with_assumptions(const Session& session, const Conclusions& known,
                                       const std::vector<Naming>& namings) {
@@ -257,6 +271,10 @@ Annotation annotate(const Domain& domain, const Catalogue& catalogue, const Obje
     }
     annotation.all_classes = local_names(classes);
     annotation.classes = local_names(domain.most_specific(classes));
+    annotation.answers = learned_answers(session);
+    const knowledge::Knowledge knowledge = session.knowledge();
+    annotation.is_complete = knowledge.complete;
+    for (const auto& [a, b] : knowledge.connected) annotation.connected.emplace_back(a + 1, b + 1);
     annotation.diagnosis = diagnose(session, known);
     annotation.consistent = annotation.diagnosis.empty();
     annotation.open_questions = open_questions(session, namings);

@@ -18,6 +18,21 @@ struct AnnotateOptions {
 /// Why an object is incompatible, one diagnosis for each incompatible concept that holds, or one for a contradiction.
 [[nodiscard]] std::vector<Diagnosis> diagnose(const Session& session, const knowledge::Conclusions& known);
 
+/// "part 3: is it a board: yes (0.98)".
+[[nodiscard]] std::string answer_in_words(const knowledge::Domain& domain, const knowledge::Answer& answer,
+                                          double score);
+/// "Seat EquivalentTo: … (furniture.ttl:31)".
+[[nodiscard]] std::string axiom_in_words(const owl::Axiom& axiom);
+/// What an explanation that rests on completeness says.
+inline constexpr const char* no_other_parts = "there are no other parts";
+
+/// The IRI of a range concept or measured property; of a relation to other regions the expression in Manchester syntax.
+[[nodiscard]] std::string feature_name(const knowledge::Variable& variable);
+/// Answers by name as knowledge of the domain again. Throws UsageError for a name that the ontology does not have.
+[[nodiscard]] knowledge::Knowledge recall(const knowledge::Domain& domain, int part_count, bool is_complete,
+                                          const std::vector<LearnedAnswer>& answers,
+                                          const std::vector<std::pair<int, int>>& connected);
+
 /// What to compare with: "expert", "naive", "segment-then-identify". Throws UsageError for another word.
 [[nodiscard]] Strategy parse_strategy(const std::string& word);
 

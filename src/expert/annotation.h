@@ -46,7 +46,22 @@ struct Diagnosis {
     std::vector<int> parts;                ///< ids to blame
     std::vector<std::string> answers;      ///< of the minimal explanation, in words
     std::vector<std::string> axioms;       ///< of the minimal explanation: Manchester syntax, file and line
-    std::vector<std::string> corrections;  ///< in words, cheapest first
+    std::vector<std::string> corrections;  ///< in words, cheapest first; one may change several answers
+    /// The same as answers to turn round (indices into Annotation::answers), and what that costs.
+    struct Change {
+        std::vector<std::size_t> answers;
+        double cost = 0;
+    };
+    std::vector<Change> changes = {};
+};
+
+/// One answer that was learned, by names that outlive the program.
+struct LearnedAnswer {
+    int part = 0;         ///< id
+    std::string feature;  ///< IRI of the range concept or measured property; a relation as written
+    std::string value;    ///< word of the value: "Board", "<= 0.55"
+    bool yes = true;
+    double score = 1;  ///< [0.5, 1]
 };
 
 /// All that is known about one object at the end; every output file is written from this one value.
@@ -69,6 +84,9 @@ struct Annotation {
     std::vector<float> score_of_face;            ///< one per input face
     std::map<std::string, int> questions;        ///< "SF", "SI", "T", "TF" -> algorithms run
     std::vector<TraceEntry> trace;
+    std::vector<LearnedAnswer> answers;
+    bool is_complete = false;                    ///< there are no other parts
+    std::vector<std::pair<int, int>> connected;  ///< ids of parts that touch, where composite parts asked for it
     std::vector<Diagnosis> diagnosis;
     std::vector<std::string> open_questions;  ///< what stayed unanswered, and why
     std::vector<std::pair<std::string, double>> timings_ms;

@@ -1,7 +1,7 @@
-/* Diagnoses (paper §3.2.4, §5.1.2, Fig. 14): for each incompatible concept that is entailed, who is to blame, a minimal
- * set of answers and axioms that entail it, and the single answers whose change would mend it, the least certain ones
- * first. The cost of turning an answer round is its distance from the boundary: an answer with score 0.5 costs nothing,
- * one with 1 costs 0.5. */
+/* Diagnoses (paper §3.2.4, §5.1.2, Fig. 14): for each incompatible concept that is entailed of the object or of a part,
+ * who is to blame, a minimal set of answers and axioms that entail it, and the cheapest sets of answers whose change
+ * would mend it. The cost of turning an answer round is its distance from the boundary: an answer with score 0.5 costs
+ * nothing, one with 1 costs 0.5. */
 
 #include <fmt/format.h>
 
@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <set>
 
+#include "base/errors.h"
 #include "expert/annotate.h"
 
 namespace partonomy {
@@ -18,10 +19,80 @@ namespace {
 using knowledge::ConceptId;
 using knowledge::Conclusions;
 using knowledge::Domain;
+using knowledge::Knowledge;
 using owl::Iri;
 
-std::string answer_in_words(const Session& session, const knowledge::Answer& answer, double score) {
-    const Domain& domain = session.domain();
+constexpr std::size_t most_corrections = 8;  // that are listed for one diagnosis
+
+const Iri incompatible = std::string(owl::core_prefix) + "Incompatible";
+
+class Diagnoser {
+public:
+    explicit Diagnoser(const Session& session)
+        : session_(session), domain_(session.domain()), knowledge_(session.knowledge()) {
+        for (const double score : session.answer_scores()) costs_.push_back(std::abs(score - 0.5));
+    }
+
+    /// An empty IRI: why the answers contradict the axioms. `region` for a concept of regions, else -1.
+    [[nodiscard]] Diagnosis diagnose(const Iri& iri, int region) const {
+        Diagnosis diagnosis;
+        diagnosis.concept_name = iri.empty() ? "contradiction" : owl::local_name(iri);
+        if (region >= 0)
+            diagnosis.parts = {region + 1};
+        else if (!iri.empty())
+            for (const int culprit : culprits(domain_, knowledge_, iri)) diagnosis.parts.push_back(culprit + 1);
+        try {
+            tell(explain(domain_, knowledge_, iri, region), diagnosis);
+            correct(iri, region, diagnosis);
+        } catch (const OntologyError& too_many_parts) {
+            diagnosis.answers.emplace_back(too_many_parts.what());
+        }
+        return diagnosis;
+    }
+
+private:
+    void tell(const knowledge::Explanation& explanation, Diagnosis& diagnosis) const {
+        for (const std::size_t i : explanation.answers)
+            diagnosis.answers.push_back(answer_in_words(domain_, knowledge_.answers[i], session_.answer_scores()[i]));
+        if (explanation.needs_completeness) diagnosis.answers.emplace_back(no_other_parts);
+        for (const std::size_t i : explanation.axioms)
+            diagnosis.axioms.push_back(axiom_in_words(domain_.ontology.axioms[i]));
+    }
+
+    void correct(const Iri& iri, int region, Diagnosis& diagnosis) const {
+        knowledge::ExplanationOptions options;
+        options.limit = most_corrections;
+        std::vector<knowledge::Correction> ranked = corrections(domain_, knowledge_, iri, costs_, region, options);
+        const auto is_innocent = [&](const knowledge::Correction& correction) {
+            return std::ranges::none_of(correction.answers, [&](std::size_t i) {
+                return std::ranges::find(diagnosis.parts, knowledge_.answers[i].region + 1) != diagnosis.parts.end();
+            });
+        };
+        std::ranges::stable_sort(ranked, {}, [&](const knowledge::Correction& correction) {
+            return std::pair(correction.cost, is_innocent(correction));
+        });
+        for (const knowledge::Correction& correction : ranked) {
+            std::string text;
+            for (const std::size_t i : correction.answers) {
+                const knowledge::Answer& answer = knowledge_.answers[i];
+                text += fmt::format("{}part {}: {}: {} instead of {}", text.empty() ? "" : "; and ", answer.region + 1,
+                                    to_text(domain_.regions, answer.question, domain_), answer.yes ? "no" : "yes",
+                                    answer.yes ? "yes" : "no");
+            }
+            diagnosis.corrections.push_back(fmt::format("{} (cost {:.2f})", text, correction.cost));
+            diagnosis.changes.push_back({correction.answers, correction.cost});
+        }
+    }
+
+    const Session& session_;
+    const Domain& domain_;
+    Knowledge knowledge_;
+    std::vector<double> costs_;
+};
+
+}  // namespace
+
+std::string answer_in_words(const Domain& domain, const knowledge::Answer& answer, double score) {
     return fmt::format("part {}: {}: {} ({:.2f})", answer.region + 1, to_text(domain.regions, answer.question, domain),
                        answer.yes ? "yes" : "no", score);
 }
@@ -31,70 +102,56 @@ std::string axiom_in_words(const owl::Axiom& axiom) {
                        axiom.source.line);
 }
 
-Diagnosis explain_concept(const Session& session, const knowledge::Knowledge& knowledge, const Iri& iri) {
-    const Domain& domain = session.domain();
-    Diagnosis diagnosis;
-    diagnosis.concept_name = iri.empty() ? "contradiction" : owl::local_name(iri);
-    const knowledge::Explanation explanation = explain(domain, knowledge, iri);
-    for (const std::size_t i : explanation.answers)
-        diagnosis.answers.push_back(answer_in_words(session, knowledge.answers[i], session.answer_scores()[i]));
-    if (explanation.needs_completeness) diagnosis.answers.emplace_back("there are no other parts");
-    for (const std::size_t i : explanation.axioms)
-        diagnosis.axioms.push_back(axiom_in_words(domain.ontology.axioms[i]));
-    if (iri.empty()) return diagnosis;
-    for (const int region : culprits(domain, knowledge, iri)) diagnosis.parts.push_back(region + 1);
-    std::vector<double> costs;
-    for (const double score : session.answer_scores()) costs.push_back(std::abs(score - 0.5));
-    std::vector<knowledge::Correction> ranked = corrections(domain, knowledge, iri, costs);
-    std::stable_sort(ranked.begin(), ranked.end(), [&](const auto& a, const auto& b) {
-        const auto key = [&](const knowledge::Correction& c) {
-            const int part = knowledge.answers[c.answer].region + 1;
-            return std::pair(c.cost, std::ranges::find(diagnosis.parts, part) == diagnosis.parts.end());
-        };
-        return key(a) < key(b);
-    });
-    for (const knowledge::Correction& correction : ranked) {
-        const knowledge::Answer& answer = knowledge.answers[correction.answer];
-        diagnosis.corrections.push_back(fmt::format("part {}: {}: {} instead of {} (cost {:.2f})", answer.region + 1,
-                                                    to_text(domain.regions, answer.question, domain),
-                                                    answer.yes ? "no" : "yes", answer.yes ? "yes" : "no",
-                                                    correction.cost));
-    }
-    return diagnosis;
+std::string feature_name(const knowledge::Variable& variable) {
+    return variable.kind == knowledge::VariableKind::relation ? to_manchester(*variable.part_class) : variable.iri;
 }
 
-}  // namespace
+Knowledge recall(const Domain& domain, int part_count, bool is_complete, const std::vector<LearnedAnswer>& answers,
+                 const std::vector<std::pair<int, int>>& connected) {
+    Knowledge knowledge{part_count, is_complete, {}};
+    for (const auto& [a, b] : connected) knowledge.connected.emplace_back(a - 1, b - 1);
+    for (const LearnedAnswer& answer : answers) {
+        const auto& variables = domain.regions.variables;
+        const auto variable = std::ranges::find(variables, answer.feature, feature_name);
+        const std::vector<std::string> values =
+            variable == variables.end() ? std::vector<std::string>{} : variable->values;
+        const auto value = std::ranges::find(values, answer.value);
+        if (value == values.end() || answer.part < 1 || answer.part > part_count)
+            throw UsageError(fmt::format("part {}: {} \"{}\" is no question of this ontology; annotate again",
+                                         answer.part, owl::local_name(answer.feature), answer.value));
+        const auto index = static_cast<knowledge::ValueId>(value - values.begin());
+        knowledge.answers.push_back(
+            {answer.part - 1, {static_cast<knowledge::VariableId>(variable - variables.begin()), index}, answer.yes});
+    }
+    return knowledge;
+}
 
 std::vector<Diagnosis> diagnose(const Session& session, const Conclusions& known) {
-    const knowledge::Knowledge knowledge = session.knowledge();
+    const Domain& domain = session.domain();
+    const bool is_fine = known.diagnoses.empty() && !known.contradiction;
+    if (is_fine) return {};
+    const Diagnoser diagnoser(session);
+    if (known.contradiction) return {diagnoser.diagnose({}, -1)};
     std::vector<Diagnosis> diagnoses;
-    if (known.contradiction) return {explain_concept(session, knowledge, {})};
-    for (const ConceptId c : entailed(session.domain().objects, known.object)) {
-        const knowledge::Concept& concept_ = session.domain().objects.concepts[static_cast<std::size_t>(c)];
-        if (concept_.incompatible && concept_.iri != std::string(owl::core_prefix) + "Incompatible")
-            diagnoses.push_back(explain_concept(session, knowledge, concept_.iri));
+    for (const ConceptId c : entailed(domain.objects, known.object)) {
+        const knowledge::Concept& concept_ = domain.objects.concepts[static_cast<std::size_t>(c)];
+        if (concept_.incompatible && concept_.iri != incompatible)
+            diagnoses.push_back(diagnoser.diagnose(concept_.iri, -1));
     }
     std::set<Iri> explained;  // once, however many composite parts are one
     for (const knowledge::CompositePart& part : known.composites) {
-        const knowledge::Space& space = session.domain().composites[static_cast<std::size_t>(part.group)].space;
+        const knowledge::Space& space = domain.composites[static_cast<std::size_t>(part.group)].space;
         for (const ConceptId c : entailed(space, part.possible)) {
             const knowledge::Concept& concept_ = space.concepts[static_cast<std::size_t>(c)];
-            if (concept_.incompatible && explained.insert(concept_.iri).second)
-                diagnoses.push_back(explain_concept(session, knowledge, concept_.iri));
+            if (concept_.incompatible && concept_.iri != incompatible && explained.insert(concept_.iri).second)
+                diagnoses.push_back(diagnoser.diagnose(concept_.iri, -1));
         }
     }
     for (int region = 0; region < session.region_count(); ++region)
-        for (const ConceptId c : entailed(session.domain().regions, known.regions[static_cast<std::size_t>(region)])) {
-            const knowledge::Concept& concept_ = session.domain().regions.concepts[static_cast<std::size_t>(c)];
-            if (!concept_.incompatible || concept_.iri == std::string(owl::core_prefix) + "Incompatible") continue;
-            Diagnosis diagnosis;
-            diagnosis.concept_name = owl::local_name(concept_.iri);
-            diagnosis.parts = {region + 1};
-            for (std::size_t i = 0; i < knowledge.answers.size(); ++i)
-                if (knowledge.answers[i].region == region)
-                    diagnosis.answers.push_back(
-                        answer_in_words(session, knowledge.answers[i], session.answer_scores()[i]));
-            diagnoses.push_back(std::move(diagnosis));
+        for (const ConceptId c : entailed(domain.regions, known.regions[static_cast<std::size_t>(region)])) {
+            const knowledge::Concept& concept_ = domain.regions.concepts[static_cast<std::size_t>(c)];
+            if (concept_.incompatible && concept_.iri != incompatible)
+                diagnoses.push_back(diagnoser.diagnose(concept_.iri, region));
         }
     return diagnoses;
 }

@@ -2,6 +2,7 @@
 
 #include "base/errors.h"
 #include "knowledge/assembly.h"
+#include "knowledge/causes.h"
 
 // The road from an ontology to its configuration spaces: levels and formulas (theory.cpp), the space of one region
 // (region_space.cpp), what composite parts there are and what objects count (assembly.cpp), the space of one object
@@ -17,30 +18,27 @@ std::string main_file(const owl::Ontology& ontology) {
     return ontology.axioms.empty() ? ontology.iri : ontology.axioms.back().source.file;
 }
 
-/// Names the constraint that, after those before it, leaves nothing.
-[[noreturn]] void refuse_inconsistent(const owl::Ontology& ontology, const Theory& theory, Level level,
-                                      const CompileOptions& options) {
-    const std::size_t limit = options.configuration_limit;
-    Scope scope = whole_scope(theory, ontology.axioms.size());
-    for (const Constraint& constraint : theory.constraints) scope.axioms[constraint.axiom] = 0;
+std::string quoted(const owl::Axiom& axiom) {
+    std::string text(1, '"');
+    return text.append(to_manchester(axiom)).append(1, '"');
+}
+
+/// Names axioms that together leave nothing.
+[[noreturn]] void refuse_inconsistent(const owl::Ontology& ontology, const Theory& theory, Level level) {
     const std::string what = level == Level::region ? "region" : "object";
-    for (const Constraint& constraint : theory.constraints) {
-        scope.axioms[constraint.axiom] = 1;
-        const Layer regions = build_regions(theory, scope, options);
-        bool empty = regions.space.size == 0;
-        if (!empty && level == Level::object) {
-            const Assembly assembly = assemble(theory, scope, regions, limit);
-            empty = build_objects(theory, scope, {}, assembly.parts,
-                                  possible_counts(theory, assembly, regions.space.all(), false, limit), limit)
-                        .layer.space.size == 0;
-        }
-        const owl::Axiom& axiom = ontology.axioms[constraint.axiom];
-        if (empty)
-            throw OntologyError(at(axiom.source.file, axiom.source.line,
-                                   "together with the axioms before it, \"" + to_manchester(axiom) + "\" leaves no " +
-                                       what + " possible; weaken one of them."));
+    const std::vector<Cause> causes = causes_of_nothing(theory, level, 1);
+    if (causes.empty())
+        throw OntologyError(
+            at(main_file(ontology), 0, "its axioms leave no " + what + " possible; weaken one of them."));
+    const owl::Axiom& last = ontology.axioms[causes[0].back()];
+    std::string others;
+    for (std::size_t i = 0; i + 1 < causes[0].size(); ++i) {
+        const owl::Axiom& other = ontology.axioms[causes[0][i]];
+        others.append(i == 0 ? ", together with " : " and ");
+        others.append(at(other.source.file, other.source.line, quoted(other)));
     }
-    throw OntologyError(at(main_file(ontology), 0, "its axioms leave no " + what + " possible; weaken one of them."));
+    const std::string sentence = quoted(last).append(" leaves no ").append(what).append(" possible").append(others);
+    throw OntologyError(at(last.source.file, last.source.line, sentence + "; weaken one of them."));
 }
 
 /// The configurations of which some twin, that differs in primitive concepts only, lies in `set`.
@@ -107,14 +105,7 @@ void finish_space(const Theory& theory, const Scope& scope, Subject subject, con
     }
 }
 
-std::string quoted_list(const std::vector<std::string>& names) {
-    std::string list;
-    for (std::size_t i = 0; i < names.size(); ++i)
-        list += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
-    return list;
-}
-
-/// What an expert should know about one layer, in the expert's words.
+/// What a user of one layer should know, in the expert's words; lint.h tells an expert more.
 void lint(const Theory& theory, const Space& space, const std::string& what, std::vector<std::string>& warnings) {
     for (const Concept& each : space.concepts) {
         const std::string name = owl::local_name(each.iri);
@@ -127,17 +118,6 @@ void lint(const Theory& theory, const Space& space, const std::string& what, std
         else if (!each.provable)
             warnings.push_back("No " + what + " can ever be proved to be " + with_article(name) +
                                ", because its definition rests on a concept that has none.");
-    }
-    std::vector<char> told(space.concepts.size(), 0);
-    for (std::size_t a = 0; a < space.concepts.size(); ++a) {
-        std::vector<std::string> alike{owl::local_name(space.concepts[a].iri)};
-        for (std::size_t b = a + 1; b < space.concepts.size(); ++b) {
-            if (told[a] || told[b] || space.concepts[a].where.is_empty()) continue;
-            if (space.concepts[b].where != space.concepts[a].where) continue;
-            told[b] = 1;
-            alike.push_back(owl::local_name(space.concepts[b].iri));
-        }
-        if (alike.size() > 1) warnings.push_back(quoted_list(alike) + " mean the same: nothing can tell them apart.");
     }
 }
 
@@ -196,7 +176,7 @@ Domain compile(owl::Ontology ontology, const CompileOptions& options) {
         const Scope scope = whole_scope(theory, ontology.axioms.size());
         const std::size_t limit = options.configuration_limit;
         regions = build_regions(theory, scope, options);
-        if (regions.space.size == 0) refuse_inconsistent(ontology, theory, Level::region, options);
+        if (regions.space.size == 0) refuse_inconsistent(ontology, theory, Level::region);
         finish_space(theory, scope, {Level::region, -1}, regions, domain.regions);
         grounding->assembly = assemble(theory, scope, regions, limit);
         const Assembly& assembly = grounding->assembly;
@@ -207,7 +187,7 @@ Domain compile(owl::Ontology ontology, const CompileOptions& options) {
         grounding->objects = build_objects(theory, scope, {}, parts,
                                            possible_counts(theory, assembly, regions.space.all(), false, limit), limit);
         const ObjectLayer& objects = grounding->objects;
-        if (objects.layer.space.size == 0) refuse_inconsistent(ontology, theory, Level::object, options);
+        if (objects.layer.space.size == 0) refuse_inconsistent(ontology, theory, Level::object);
         if (!assembly.has_composites()) prepare_beyond(parts, grounding->objects);
         finish_space(theory, scope, {}, objects.layer, domain.objects);
         if (domain.regions.possible != domain.regions.all() || assembly.has_composites())
@@ -243,6 +223,7 @@ Domain compile(owl::Ontology ontology, const CompileOptions& options) {
     for (const RangeConcept& range : theory.ranges)
         if (range.values.empty())
             domain.warnings.push_back(owl::local_name(range.iri) + " has no values; put classes below it.");
+    if (const std::string why = why_not_counted(domain.regions); !why.empty()) domain.warnings.push_back(why + ".");
     lint(theory, domain.regions, "region", domain.warnings);
     lint_composites(theory, domain);
     lint(theory, domain.objects, "object", domain.warnings);

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 
+#include "base/errors.h"
 #include "knowledge/choices.h"
 #include "knowledge/diagram.h"
 #include "knowledge/solver.h"
@@ -152,7 +153,11 @@ void compile_regions(const Theory& theory, const Scope& scope, const DiagramOpti
             up_to[f].push_back(region.clauses.any_of(std::span(region.features[f]).first(value + 1)));
 
     Space& space = layer.space;
-    space.diagram = std::make_shared<const Diagram>(region.clauses, options);
+    try {
+        space.diagram = std::make_shared<const Diagram>(region.clauses, options);
+    } catch (const OntologyError& too_large) {
+        space.diagram = std::make_shared<const Diagram>(Diagram::sampled(region.clauses, too_large.what()));
+    }
     const auto set = [&](int literal) { return ConfigurationSet(space.diagram, {literal}); };
     for (std::size_t f = 0; f < theory.feature_count(); ++f) {
         if (!scope.features[f]) continue;

@@ -7,18 +7,21 @@
 #include "knowledge/configuration_set.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <mutex>
 #include <stdexcept>
 
 #include "knowledge/diagram.h"
+#include "knowledge/sampled_models.h"
 
 namespace partonomy::knowledge {
 namespace {
 
 std::size_t to_size(const std::string& digits) {
     constexpr std::size_t most = std::numeric_limits<std::size_t>::max();
+    if (digits == too_many) return most;
     std::size_t value = 0;
     for (const char digit : digits) {
         const auto d = static_cast<std::size_t>(digit - '0');
@@ -38,8 +41,13 @@ struct ConfigurationSet::Conjunction {
         std::call_once(once_, [&] { shares_ = diagram->shares(literals); });
         return shares_;
     }
-    [[nodiscard]] bool is_empty() const { return std::isinf(shares().log2_total); }
-    [[nodiscard]] bool is_inferred(int literal) const { return shares().of(-literal) == 0; }  // or there is no model
+    [[nodiscard]] bool is_empty() const {
+        return asks_solver() ? !has_model_with({}) : std::isinf(shares().log2_total);
+    }
+    [[nodiscard]] bool is_possible(int literal) const {
+        return asks_solver() ? has_model_with({literal}) : shares().is_possible(literal);
+    }
+    [[nodiscard]] bool is_inferred(int literal) const { return !is_possible(-literal); }  // or there is no model
     /// All literals that are inferred: the same for equal sets. Nothing for the empty set.
     [[nodiscard]] std::vector<int> closure() const {
         std::vector<int> inferred;
@@ -51,8 +59,16 @@ struct ConfigurationSet::Conjunction {
     }
 
 private:
+    /// A sampled space answers a few questions one by one before it finds out about all literals at once.
+    [[nodiscard]] bool asks_solver() const { return diagram->sample() != nullptr && single_questions_++ < 16; }
+    [[nodiscard]] bool has_model_with(std::vector<int> evidence) const {
+        evidence.insert(evidence.end(), literals.begin(), literals.end());
+        return diagram->sample()->has_model(evidence);
+    }
+
     mutable std::once_flag once_;
     mutable Shares shares_;
+    mutable std::atomic<int> single_questions_ = 0;
 };
 
 ConfigurationSet::ConfigurationSet(std::size_t size, bool full)
@@ -100,7 +116,7 @@ bool ConfigurationSet::is_subset_of(const ConfigurationSet& other) const {
 
 bool ConfigurationSet::intersects(const ConfigurationSet& other) const {
     if (conjunction_) {
-        if (other.literals().size() == 1) return conjunction_->shares().is_possible(other.literals()[0]);
+        if (other.literals().size() == 1) return conjunction_->is_possible(other.literals()[0]);
         return !(*this & other).is_empty();
     }
     for (std::size_t i = 0; i < words_.size(); ++i)
@@ -123,6 +139,7 @@ double ConfigurationSet::share(const ConfigurationSet& other) const {
     }
     if (is_empty()) return 0;
     if (other.literals().size() == 1) return conjunction_->shares().of(other.literals()[0]);
+    if (diagram().sample() != nullptr) return is_subset_of(other) ? 1 : intersects(other) ? 0.5 : 0;
     return std::exp2((*this & other).conjunction_->shares().log2_total - conjunction_->shares().log2_total);
 }
 
@@ -205,6 +222,7 @@ std::strong_ordering operator<=>(const ConfigurationSet& a, const ConfigurationS
     if (a.literals() == b.literals()) return std::strong_ordering::equal;
     const bool a_empty = a.is_empty(), b_empty = b.is_empty();
     if (a_empty || b_empty) return b_empty <=> a_empty;
+    if (a.diagram().sample() != nullptr) return a.conjunction_->closure() <=> b.conjunction_->closure();
     const double a_size = a.conjunction_->shares().log2_total, b_size = b.conjunction_->shares().log2_total;
     if (std::abs(a_size - b_size) > 1e-6)
         return a_size < b_size ? std::strong_ordering::less : std::strong_ordering::greater;

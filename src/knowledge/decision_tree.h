@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "knowledge/domain.h"
@@ -31,6 +32,9 @@ struct PlanOptions {
     /// A set of configurations is a leaf as soon as every one of these concepts is decided (holds in all of them or in
     /// none); empty: when one configuration is left.
     std::vector<ConceptId> wanted;
+    /// How many of the most promising questions are compared by what their whole trees cost, 1: none. Does nothing for
+    /// dichotomy, without wanted concepts, and over compiled spaces.
+    std::size_t breadth = 4;
 };
 
 /// True when nothing wanted is open in `set`.
@@ -42,7 +46,7 @@ struct PlanOptions {
                                                     const PlanOptions& options);
 
 /// What best_question does, with its set-up shared between calls: a call takes microseconds on spaces of a few hundred
-/// configurations. The space must outlive it.
+/// configurations. The space must outlive it. It remembers what it has found out, so threads do not share one.
 class Planner {
 public:
     Planner(const Space& space, PlanOptions options);
@@ -67,6 +71,18 @@ private:
         bool answerable;
     };
     [[nodiscard]] std::optional<double> cost(const Candidate& candidate) const;
+    struct Scored {
+        const Candidate* candidate;
+        double score;
+    };
+    /// The `most` highest scores, the best first; nothing when no question splits `set`.
+    [[nodiscard]] std::vector<Scored> ranking(const ConfigurationSet& set, std::size_t most) const;
+    /// The question among the highest scores whose tree costs least.
+    [[nodiscard]] std::optional<Question> look_ahead(const ConfigurationSet& set) const;
+    /// What asking on costs on average when every question is the one with the highest score; nullopt when that takes
+    /// more than `budget` new sets.
+    [[nodiscard]] std::optional<double> price_of(const ConfigurationSet& set, std::size_t& budget) const;
+    [[nodiscard]] double price(const Candidate& candidate) const;
     /// Over a compiled space; literals of what is wanted, none for the most even split.
     [[nodiscard]] std::optional<Question> best_compiled(const ConfigurationSet& set, const std::vector<int>& wanted,
                                                         bool must_tell) const;
@@ -76,6 +92,10 @@ private:
     std::vector<Candidate> candidates_;  ///< ascending
     std::vector<ConfigurationSet>
         labels_;  ///< configurations that agree on every wanted concept; none when wanted is empty
+    struct Hash {
+        std::size_t operator()(const ConfigurationSet& set) const { return set.hash(); }
+    };
+    mutable std::unordered_map<ConfigurationSet, double, Hash> prices_;  ///< of sets met so far; only looked up
 };
 
 /// A node of the tree, which is a DAG: equal sets of configurations share one node.

@@ -17,6 +17,7 @@
 #include <stdexcept>
 
 #include "knowledge/diagram_nodes.h"
+#include "knowledge/sampled_models.h"
 
 namespace partonomy::knowledge {
 namespace {
@@ -254,28 +255,53 @@ private:
     std::vector<std::vector<int>> models_;
 };
 
+Count counted(bool has_model) {
+    if (has_model) return {too_many, 0};
+    return {"0", -std::numeric_limits<double>::infinity()};
+}
+
 }  // namespace
 
 Diagram::Diagram(const Clauses& clauses, const DiagramOptions& options)
     : nodes_(search_diagram(clauses, decision_ranks(clauses), options)) {}
 
-std::size_t Diagram::node_count() const { return nodes_->nodes.size(); }
-std::size_t Diagram::literal_count() const { return nodes_->pool.size(); }
-int Diagram::variable_count() const { return nodes_->variables; }
-bool Diagram::is_empty() const { return nodes_->root.is_dead; }
+Diagram Diagram::sampled(const Clauses& clauses, std::string why) {
+    Diagram diagram;
+    diagram.sample_ = std::make_shared<const SampledModels>(clauses, std::move(why));
+    return diagram;
+}
+
+std::size_t Diagram::node_count() const { return sample_ ? 0 : nodes_->nodes.size(); }
+std::size_t Diagram::literal_count() const { return sample_ ? sample_->clause_count() : nodes_->pool.size(); }
+int Diagram::variable_count() const { return sample_ ? sample_->variable_count() : nodes_->variables; }
+bool Diagram::is_empty() const { return sample_ ? !sample_->has_model({}) : nodes_->root.is_dead; }
 
 Count Diagram::count(std::span<const int> evidence) const {
+    if (sample_) return counted(sample_->has_model(evidence));
     return Sweep<Exact>(*nodes_, evidence, {}).total().count();
 }
 
 LiteralCounts Diagram::count_each(std::span<const int> evidence) const {
+    LiteralCounts counts;
+    if (sample_) {
+        const Shares shares = sample_->shares(evidence);
+        counts.total = counted(!std::isinf(shares.log2_total));
+        for (const double share : shares.each) counts.each.push_back(counted(share > 0));
+        return counts;
+    }
     const Sweep<Exact> sweep(*nodes_, evidence, {});
-    LiteralCounts counts{sweep.total().count(), {}};
+    counts.total = sweep.total().count();
     for (const Exact& part : sweep.down()) counts.each.push_back(part.count());
     return counts;
 }
 
 Shares Diagram::shares(std::span<const int> evidence, std::span<const LiteralWeight> weights) const {
+    if (sample_) {
+        std::vector<int> certain(evidence.begin(), evidence.end());
+        for (const LiteralWeight& each : weights)
+            if (each.weight == 0) certain.push_back(-each.literal);
+        return sample_->shares(certain);
+    }
     const Sweep<Scaled> sweep(*nodes_, evidence, weights);
     Shares shares{sweep.total().log2(), {}};
     for (const Scaled& part : sweep.down()) shares.each.push_back(part.share(sweep.total()));
@@ -283,6 +309,7 @@ Shares Diagram::shares(std::span<const int> evidence, std::span<const LiteralWei
 }
 
 std::vector<std::vector<int>> Diagram::models(std::size_t limit, std::span<const int> evidence) const {
+    if (sample_) throw std::logic_error("Diagram: the models of a sampled one are not listed");
     return ModelWalk(*nodes_, limit, evidence).run();
 }
 

@@ -17,6 +17,11 @@ struct Count {
     [[nodiscard]] bool is_zero() const { return digits == "0"; }
 };
 
+/// The digits of a number that nobody has counted.
+inline constexpr const char* too_many = "too many to count";
+
+class SampledModels;
+
 /// What a diagram may cost before it is given up.
 struct DiagramOptions {
     std::size_t node_limit = 2'000'000;
@@ -50,30 +55,40 @@ struct LiteralCounts {
 
 /// All models of a formula, compiled once so that every question about their number takes one sweep. Immutable; copies
 /// share the nodes.
+///
+/// A *sampled* one stands in where that would be too large: a solver tells exactly what is possible and inferred,
+/// shares in between are estimates, and nothing is counted.
 class Diagram {
 public:
     /// Throws OntologyError when one of the limits is reached.
     explicit Diagram(const Clauses& clauses, const DiagramOptions& options = {});
+    /// One that is sampled; `why` says why.
+    [[nodiscard]] static Diagram sampled(const Clauses& clauses, std::string why);
+    /// Null unless it is sampled.
+    [[nodiscard]] const SampledModels* sample() const { return sample_.get(); }
 
     [[nodiscard]] std::size_t node_count() const;     ///< decisions
     [[nodiscard]] std::size_t literal_count() const;  ///< in all nodes together: a sweep costs as much
     [[nodiscard]] int variable_count() const;
     [[nodiscard]] bool is_empty() const;  ///< the formula has no model
 
-    /// Models in which every literal of `evidence` is true.
+    /// Models in which every literal of `evidence` is true; too_many when sampled, unless there is none.
     [[nodiscard]] Count count(std::span<const int> evidence = {}) const;
     /// The same for each literal, in one sweep up and one down.
     [[nodiscard]] LiteralCounts count_each(std::span<const int> evidence = {}) const;
-    /// The same as shares of the whole, in double precision; each literal may have a weight.
+    /// The same as shares of the whole, in double precision; each literal may have a weight (when sampled, only 0
+    /// counts).
     [[nodiscard]] Shares shares(std::span<const int> evidence = {}, std::span<const LiteralWeight> weights = {}) const;
     /// The first `limit` models (in an order of the diagram's own, always the same), each as its true variables,
-    /// ascending. Costs no more than (models) x (variables).
+    /// ascending. Costs no more than (models) x (variables). Not when sampled: std::logic_error.
     [[nodiscard]] std::vector<std::vector<int>> models(std::size_t limit, std::span<const int> evidence = {}) const;
 
     struct Nodes;
 
 private:
+    Diagram() = default;
     std::shared_ptr<const Nodes> nodes_;
+    std::shared_ptr<const SampledModels> sample_;
 };
 
 }  // namespace partonomy::knowledge

@@ -12,6 +12,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "knowledge/sampled_models.h"
+
 namespace partonomy::knowledge {
 namespace {
 
@@ -36,8 +38,12 @@ public:
         std::vector<double> scores(questions_.size(), 0);
         if (options_.criterion != SplitCriterion::dichotomy && !options_.wanted.empty()) {
             gain_ = open_entropies();
-            visits_ = std::max<std::size_t>(8, options_.work_limit / (diagram_.literal_count() + 1));
-            if (!split(all_, 1)) one_by_one();
+            if (diagram_.sample() != nullptr) {
+                by_sample(diagram_.sample()->sample(evidence_));
+            } else {
+                visits_ = std::max<std::size_t>(8, options_.work_limit / (diagram_.literal_count() + 1));
+                if (!split(all_, 1)) one_by_one();
+            }
             for (std::size_t q = 0; q < questions_.size(); ++q)
                 if (gain_[q] > 1e-9) scores[q] = gain_[q] / price(q);
             if (const auto best = highest(scores); best || options_.must_tell) return best;
@@ -91,6 +97,25 @@ private:
                 const double in_all = all_.of(questions_[q].literal), in_yes = with.of(questions_[q].literal);
                 const double in_no = std::clamp((in_all - yes * in_yes) / no, 0.0, 1.0);
                 gain_[q] += entropy(in_all) - yes * entropy(in_yes) - no * entropy(in_no);
+            }
+        }
+    }
+
+    /// The same from a sample: for questions that are open, how much each label would tell about them.
+    void by_sample(const ModelSample& sample) {
+        const auto n = static_cast<double>(sample.size);
+        for (std::size_t q = 0; q < questions_.size(); ++q) {
+            const int question = questions_[q].literal;
+            gain_[q] = 0;
+            if (!all_.is_possible(question) || !all_.is_possible(-question) || sample.size == 0) continue;
+            const double share = static_cast<double>(sample.count(question)) / n;
+            for (const int label : options_.wanted) {
+                if (!all_.is_possible(label) || !all_.is_possible(-label)) continue;
+                const auto yes = static_cast<double>(sample.count(label)), no = n - yes;
+                if (yes == 0 || no == 0) continue;
+                const auto both = static_cast<double>(sample.count(question, label));
+                const double in_no = std::clamp((share * n - both) / no, 0.0, 1.0);
+                gain_[q] += entropy(share) - yes / n * entropy(both / yes) - no / n * entropy(in_no);
             }
         }
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "knowledge/sampled_models.h"
 #include "knowledge/theory.h"
 
 namespace partonomy::knowledge {
@@ -91,6 +92,14 @@ bool is_unsatisfiable(const Domain& domain, Sort sort, const Iri& iri) {
 }
 
 }  // namespace
+
+std::string why_not_counted(const Space& space) {
+    if (!space.diagram || space.diagram->sample() == nullptr) return {};
+    std::string why = space.diagram->sample()->why();
+    if (const std::size_t end = why.find(';'); end != std::string::npos) why.resize(end);
+    return "the configurations of a region are not counted, since " + why +
+           "; a solver tells what is possible and what follows, and questions are chosen by samples";
+}
 
 ConfigurationSet Space::all() const { return diagram ? ConfigurationSet(diagram, {}) : ConfigurationSet(size, true); }
 

@@ -177,6 +177,9 @@ struct Domain {
     std::shared_ptr<const Grounding> grounding;  ///< set by compile; copies of a domain share it
 };
 
+/// Why the configurations of a space are not counted, in words; empty when they are.
+[[nodiscard]] std::string why_not_counted(const Space& space);
+
 struct CompileOptions {
     std::size_t configuration_limit = std::size_t{1} << 22;  ///< ways in which the parts of an object may combine
     std::size_t listing_limit = std::size_t{1} << 16;        ///< a larger product of a region's features is compiled

@@ -6,13 +6,19 @@
 #include <stdexcept>
 
 #include "knowledge/assembly.h"
+#include "knowledge/correction_search.h"
+#include "knowledge/object_clauses.h"
+#include "knowledge/reasons.h"
 
-// A minimal explanation by deletion: take one thing away; if the conclusion still follows, it was not needed. Each test
-// looks at the cone of the goal only: the concepts and features that the axioms still kept lead to. A class whose
-// defining axiom is gone is free to hold or not. Whole regions are tried first, so that answers about parts that have
-// nothing to do with the goal cost one test together. With consistent knowledge entailment only shrinks when things are
-// taken away, hence what remains is minimal. Cost: (regions + axioms + answers that matter) tests of some 10
-// microseconds each for furniture.
+// A minimal explanation by deletion: take one thing away; if the conclusion still follows, it was not needed. With
+// consistent knowledge entailment only shrinks when things are taken away, hence what remains is minimal. Answers come
+// first: with all axioms, whether the rest still suffices is what conclude() tells, in microseconds. Each test of an
+// axiom looks at the cone of the goal only, the concepts and features that the axioms still kept lead to; a class whose
+// defining axiom is gone is free to hold or not.
+//
+// Corrections by best-first search: sets of answers by ascending cost, each turned round and concluded from, those left
+// out that contain one found before. When that takes too many tries, or when the space is compiled, both are questions
+// to a SAT solver instead (reasons.cpp).
 
 namespace partonomy::knowledge {
 namespace {
@@ -82,7 +88,51 @@ private:
     int goal_;
 };
 
-/// Axioms that define the goal, and what its definition rests on.
+/// Classes of parts whose presence the formula asks for, without looking into the concepts that it names.
+void wanted_parts(const Theory& theory, FormulaId id, bool positive, std::vector<FormulaId>& atoms) {
+    const Formula& formula = theory.formulas[id];
+    if (formula.kind == Formula::Kind::parts && positive) atoms.push_back(id);
+    if (formula.kind == Formula::Kind::negation) positive = !positive;
+    for (const FormulaId operand : formula.operands) wanted_parts(theory, operand, positive, atoms);
+}
+
+bool follows(const Space& space, const ConfigurationSet& set, const Iri& iri) {
+    const std::optional<ConceptId> id = space.find(iri);
+    return id && !set.is_empty() && set.is_subset_of(space.concepts[*id].where);
+}
+
+bool is_entailed(const Domain& domain, const Conclusions& conclusions, const Iri& concept_iri) {
+    return follows(domain.objects, conclusions.object, concept_iri) ||
+           std::ranges::any_of(conclusions.composites,
+                               [&](const CompositePart& composite) {
+                                   return follows(domain.composites[static_cast<std::size_t>(composite.group)].space,
+                                                  composite.possible, concept_iri);
+                               }) ||
+           std::ranges::any_of(conclusions.regions,
+                               [&](const auto& set) { return follows(domain.regions, set, concept_iri); });
+}
+
+/// Leaves out what can be left out of kept[begin, end): all of it when `still_follows` then, else by halves. Whatever
+/// can go together can go one by one, so the rest is what leaving out one element after the other leaves.
+template <typename Follows>
+void shrink(std::vector<char>& kept, std::size_t begin, std::size_t end, const Follows& still_follows) {
+    if (std::all_of(kept.begin() + begin, kept.begin() + end, [](char each) { return each == 0; })) return;
+    const std::vector<char> before = kept;
+    std::fill(kept.begin() + begin, kept.begin() + end, char{0});
+    if (still_follows()) return;
+    kept = before;
+    if (end - begin == 1) return;
+    shrink(kept, begin, (begin + end) / 2, still_follows);
+    shrink(kept, (begin + end) / 2, end, still_follows);
+}
+
+/// Conclusions from a listed space take microseconds; from a compiled one the solver is faster.
+bool prefers_solver(const Domain& domain) {
+    return domain.regions.diagram != nullptr && can_express(domain.grounding->theory);
+}
+
+}  // namespace
+
 std::vector<char> defining_axioms(const Theory& theory, int goal, std::size_t axiom_count) {
     std::vector<char> definitions(axiom_count, 0), axioms(axiom_count, 0);
     for (const NamedConcept& named : theory.concepts)
@@ -94,67 +144,57 @@ std::vector<char> defining_axioms(const Theory& theory, int goal, std::size_t ax
     return axioms;
 }
 
-/// Classes of parts whose presence the formula asks for, without looking into the concepts that it names.
-void wanted_parts(const Theory& theory, FormulaId id, bool positive, std::vector<FormulaId>& atoms) {
-    const Formula& formula = theory.formulas[id];
-    if (formula.kind == Formula::Kind::parts && positive) atoms.push_back(id);
-    if (formula.kind == Formula::Kind::negation) positive = !positive;
-    for (const FormulaId operand : formula.operands) wanted_parts(theory, operand, positive, atoms);
-}
-
-bool is_entailed(const Domain& domain, const Conclusions& conclusions, const Iri& concept_iri) {
-    const auto follows = [&](const Space& space, const ConfigurationSet& set) {
-        const std::optional<ConceptId> id = space.find(concept_iri);
-        return id && !set.is_empty() && set.is_subset_of(space.concepts[*id].where);
-    };
-    return follows(domain.objects, conclusions.object) ||
-           std::ranges::any_of(conclusions.composites,
-                               [&](const CompositePart& composite) {
-                                   return follows(domain.composites[static_cast<std::size_t>(composite.group)].space,
-                                                  composite.possible);
-                               }) ||
-           std::ranges::any_of(conclusions.regions, [&](const auto& set) { return follows(domain.regions, set); });
-}
-
-}  // namespace
-
-Explanation explain(const Domain& domain, const Knowledge& knowledge, const Iri& concept_iri) {
+Explanation explain(const Domain& domain, const Knowledge& knowledge, const Iri& concept_iri, int region_asked) {
+    if (prefers_solver(domain)) return one_reason(domain, knowledge, concept_iri, region_asked);
     const Conclusions conclusions = conclude(domain, knowledge);
     const Theory& theory = domain.grounding->theory;
-    if (concept_iri.empty() ? !conclusions.contradiction : !is_entailed(domain, conclusions, concept_iri))
+    const auto refuse = [&] {
         throw std::invalid_argument("explain: " + (concept_iri.empty() ? std::string("a contradiction") : concept_iri) +
                                     " does not follow from what is known");
+    };
+    if (concept_iri.empty() ? !conclusions.contradiction : !is_entailed(domain, conclusions, concept_iri)) refuse();
     const int goal = concept_iri.empty() ? -1 : theory.find(concept_iri);
-    const Oracle oracle(domain, knowledge, goal);
-
     std::vector<char> answers(knowledge.answers.size(), 1), axioms(domain.ontology.axioms.size(), 0);
+    bool complete = knowledge.complete;
+    const auto keep_regions = [&](const auto& is_kept) {
+        for (std::size_t i = 0; i < answers.size(); ++i)
+            if (!is_kept(knowledge.answers[i].region)) answers[i] = 0;
+    };
+    if (goal >= 0)  // a region that contradicts itself tells nothing
+        keep_regions([&](int region) { return !conclusions.regions[region].is_empty(); });
+    if (goal >= 0 && theory.concepts[goal].level == Level::region) {
+        const auto is_one = [&](int region) {
+            return follows(domain.regions, conclusions.regions[region], concept_iri);
+        };
+        for (int region = 0; region_asked < 0; ++region)
+            if (is_one(region)) region_asked = region;
+        if (region_asked >= knowledge.region_count || !is_one(region_asked)) refuse();
+        keep_regions([&](int region) { return region == region_asked; });
+    }
+
+    const auto still_follows = [&] {
+        Knowledge some = knowledge;
+        some.complete = complete;
+        some.answers.clear();
+        for (std::size_t i = 0; i < answers.size(); ++i)
+            if (answers[i]) some.answers.push_back(knowledge.answers[i]);
+        const Conclusions what = conclude(domain, some);
+        return goal < 0 ? what.contradiction : is_entailed(domain, what, concept_iri);
+    };
+    if (complete) {
+        complete = false;
+        complete = !still_follows();
+    }
+    shrink(answers, 0, answers.size(), still_follows);
+
+    const Oracle oracle(domain, knowledge, goal);
     for (const NamedConcept& named : theory.concepts)
         if (named.definition >= 0) axioms[named.axiom] = 1;
     for (const Constraint& constraint : theory.constraints) axioms[constraint.axiom] = 1;
-    bool complete = knowledge.complete;
-    if (complete && oracle.follows(axioms, answers, false)) complete = false;
     if (const std::vector<char> fewer = defining_axioms(theory, goal, axioms.size());
         oracle.follows(fewer, answers, complete))
         axioms = fewer;
-    for (int region = 0; region < knowledge.region_count; ++region) {
-        std::vector<char> fewer = answers;
-        for (std::size_t i = 0; i < fewer.size(); ++i)
-            if (knowledge.answers[i].region == region) fewer[i] = 0;
-        if (fewer != answers && oracle.follows(axioms, fewer, complete)) answers = std::move(fewer);
-    }
-    // The same as leaving out one element after the other: whatever can go together can go one by one.
-    const auto shrink = [&](const auto& self, std::vector<char>& kept, std::size_t begin, std::size_t end) -> void {
-        if (std::all_of(kept.begin() + begin, kept.begin() + end, [](char each) { return each == 0; })) return;
-        const std::vector<char> before = kept;
-        std::fill(kept.begin() + begin, kept.begin() + end, char{0});
-        if (oracle.follows(axioms, answers, complete)) return;
-        kept = before;
-        if (end - begin == 1) return;
-        self(self, kept, begin, (begin + end) / 2);
-        self(self, kept, (begin + end) / 2, end);
-    };
-    shrink(shrink, axioms, 0, axioms.size());
-    shrink(shrink, answers, 0, answers.size());
+    shrink(axioms, 0, axioms.size(), [&] { return oracle.follows(axioms, answers, complete); });
 
     Explanation explanation;
     for (std::size_t i = 0; i < answers.size(); ++i)
@@ -214,19 +254,22 @@ std::vector<int> culprits(const Domain& domain, const Knowledge& knowledge, cons
     return {blamed.begin(), blamed.end()};
 }
 
+Explanations all_explanations(const Domain& domain, const Knowledge& knowledge, const Iri& concept_iri, int region,
+                              const ExplanationOptions& options) {
+    if (can_express(domain.grounding->theory)) return all_reasons(domain, knowledge, concept_iri, region, options);
+    return {{explain(domain, knowledge, concept_iri, region)}, false};
+}
+
 std::vector<Correction> corrections(const Domain& domain, const Knowledge& knowledge, const Iri& concept_iri,
-                                    const std::vector<double>& costs) {
+                                    const std::vector<double>& costs, int region, const ExplanationOptions& options) {
     if (costs.size() != knowledge.answers.size()) throw std::invalid_argument("corrections: one cost for each answer");
-    std::vector<Correction> found;
-    Knowledge changed = knowledge;
-    for (std::size_t i = 0; i < costs.size(); ++i) {
-        changed.answers[i].yes = !knowledge.answers[i].yes;
-        const Conclusions conclusions = conclude(domain, changed);
-        changed.answers[i].yes = knowledge.answers[i].yes;
-        if (!conclusions.contradiction && !is_entailed(domain, conclusions, concept_iri))
-            found.push_back({i, costs[i]});
-    }
-    std::ranges::stable_sort(found, {}, &Correction::cost);
+    if (std::ranges::any_of(costs, [](double cost) { return !(cost >= 0); }))
+        throw std::invalid_argument("corrections: a cost should not be negative");
+    if (prefers_solver(domain)) return cheapest_changes(domain, knowledge, concept_iri, costs, region, options);
+    CorrectionSearch search(domain, knowledge, concept_iri, costs, region);
+    std::vector<Correction> found = search.run(options.limit);
+    if (found.empty() && search.is_cut_short() && can_express(domain.grounding->theory))
+        return cheapest_changes(domain, knowledge, concept_iri, costs, region, options);
     return found;
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "knowledge/decision_tree.h"
+#include "knowledge/explanations.h"
 
 namespace partonomy::knowledge {
 
@@ -58,27 +59,41 @@ struct Explanation {
     std::vector<std::size_t> answers;  ///< indices into Knowledge::answers
     std::vector<std::size_t> axioms;   ///< indices into Ontology::axioms
     bool needs_completeness = false;   ///< it also rests on "there are no other parts"
+    bool operator==(const Explanation&) const = default;
 };
 
 /// Why the object is a `concept_iri` (an Incompatible one, or any concept of the object layer that is entailed), or,
-/// with an empty IRI, why the knowledge is contradictory. Subset-minimal (deletion of one element after the other, in
-/// order). A concept of a region counts when some region is entailed to be one. Throws std::invalid_argument when it is
-/// not entailed.
-[[nodiscard]] Explanation explain(const Domain& domain, const Knowledge& knowledge, const Iri& concept_iri);
+/// with an empty IRI, why the knowledge is contradictory. Minimal: nothing can be left out. Explanations that do
+/// without "there are no other parts", and those by the concept's own definition, come first. Of a concept of regions
+/// the reason for `region` is told, by default for the first region that is entailed to be one. Throws
+/// std::invalid_argument when it is not entailed; OntologyError when concepts count thousands of parts.
+[[nodiscard]] Explanation explain(const Domain& domain, const Knowledge& knowledge, const Iri& concept_iri,
+                                  int region = -1);
+
+/// All minimal explanations, the smallest first.
+struct Explanations {
+    std::vector<Explanation> sets;
+    bool is_complete = true;  ///< false when there may be more: a limit was reached
+};
+[[nodiscard]] Explanations all_explanations(const Domain& domain, const Knowledge& knowledge, const Iri& concept_iri,
+                                            int region = -1, const ExplanationOptions& options = {});
 
 /// The regions to blame for an incompatible concept: those that make true the hasPart restrictions written in the
 /// concept's own definition (the classes it names, such as Chair, are context and not to blame). Ascending.
 [[nodiscard]] std::vector<int> culprits(const Domain& domain, const Knowledge& knowledge, const Iri& concept_iri);
 
-/// A single answer whose change makes the object compatible with respect to `concept_iri`.
+/// Answers to turn round together, so that a conclusion no longer follows; a part of them would not do.
 struct Correction {
-    std::size_t answer = 0;  ///< index into Knowledge::answers
-    double cost = 0;         ///< from `costs`: low where the fuzzy score was near the boundary
+    std::vector<std::size_t> answers;  ///< indices into Knowledge::answers, ascending
+    double cost = 0;                   ///< the sum of their `costs`: low where fuzzy scores were near the boundary
 };
 
-/// Smallest corrections first; `costs` holds the cost of turning each answer round (same order as Knowledge::answers).
-/// Only single changes are tried.
+/// The cheapest corrections of `concept_iri` (of a contradiction when empty), by ascending cost, then number of
+/// changes. `costs` holds the cost of turning each answer round (same order as Knowledge::answers). What they lead to
+/// is free of every other Incompatible concept too that does not follow already, wherever that is possible. None when
+/// only another mesh or another ontology would help. Throws as explain() does.
 [[nodiscard]] std::vector<Correction> corrections(const Domain& domain, const Knowledge& knowledge,
-                                                  const Iri& concept_iri, const std::vector<double>& costs);
+                                                  const Iri& concept_iri, const std::vector<double>& costs,
+                                                  int region = -1, const ExplanationOptions& options = {});
 
 }  // namespace partonomy::knowledge

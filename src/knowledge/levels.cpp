@@ -38,9 +38,11 @@ public:
     std::map<Iri, Level> run() {
         const auto sweep = [&](Wholes wholes, bool upwards) {
             wholes_ = wholes;
-            for (bool grown = true; grown;) {
+            for (bool grown = true; grown;) {  // there and back: deep hierarchies are mostly written in one order
                 grown = false;
                 for (const Axiom& axiom : ontology_.axioms) grown |= learn(axiom, upwards);
+                if (!grown) break;
+                for (std::size_t i = ontology_.axioms.size(); i-- > 0;) grown |= learn(ontology_.axioms[i], upwards);
             }
         };
         sweep(Wholes::left_open, false);

@@ -16,6 +16,8 @@
 namespace partonomy::knowledge {
 namespace {
 
+constexpr std::size_t look_ahead_budget = 200;  ///< sets to price for one question
+
 double entropy_sum(double n) { return n > 0 ? n * std::log2(n) : 0; }
 
 /// Keeps the first of the highest scores; scores closer than rounding count as equal.
@@ -29,6 +31,15 @@ struct Best {
         score = other_score;
     }
 };
+
+/// Keeps the `most` highest scores, the first of equal ones first.
+template <typename Scored>
+void offer(std::vector<Scored>& best, Scored scored, std::size_t most) {
+    auto place = best.end();
+    while (place != best.begin() && scored.score > std::prev(place)->score * (1 + 1e-9)) --place;
+    best.insert(place, scored);
+    if (best.size() > most) best.pop_back();
+}
 
 /// Classes of configurations that agree on all of `wanted`.
 std::vector<ConfigurationSet> label_classes(const Space& space, const std::vector<ConceptId>& wanted) {
@@ -93,8 +104,8 @@ std::optional<Question> Planner::best(const ConfigurationSet& set) const {
     if (is_decided(set)) return std::nullopt;
     const ConfigurationSet possible = set & space_->possible;
     if (!is_decided(possible))
-        if (const std::optional<Question> question = best_split(possible)) return question;
-    return best_split(set);
+        if (const std::optional<Question> question = look_ahead(possible)) return question;
+    return look_ahead(set);
 }
 
 std::optional<Question> Planner::best_compiled(const ConfigurationSet& set, const std::vector<int>& wanted,
@@ -137,13 +148,7 @@ std::optional<Question> Planner::best_about(const ConfigurationSet& set, const C
     return best.question;
 }
 
-std::optional<Question> Planner::best_split(const ConfigurationSet& set) const {
-    if (space_->diagram) {
-        std::vector<int> wanted;
-        for (const ConceptId id : options_.wanted) wanted.push_back(space_->concepts[id].where.literals()[0]);
-        if (const auto question = best_compiled(set, wanted, false)) return question;
-        return best_compiled(set, {}, false);
-    }
+std::vector<Planner::Scored> Planner::ranking(const ConfigurationSet& set, std::size_t most) const {
     const std::size_t count = set.count();
     std::vector<ConfigurationSet> labels;
     if (options_.criterion != SplitCriterion::dichotomy)
@@ -156,29 +161,72 @@ std::optional<Question> Planner::best_split(const ConfigurationSet& set) const {
         sizes.push_back(static_cast<double>(label.count()));
         open += entropy_sum(sizes.back());
     }
-    Best even, gain;
+    std::vector<Scored> even, gain;
     for (const Candidate& candidate : candidates_) {
         const std::size_t yes_count = set.count_common(candidate.yes);
-        if (yes_count == 0 || yes_count == count) continue;
-        const std::optional<double> price = cost(candidate);
-        if (!price) continue;
+        if (yes_count == 0 || yes_count == count || !cost(candidate)) continue;
         const auto yes = static_cast<double>(yes_count);
-        const double smaller = std::min(yes, n - yes);
-        if (options_.criterion == SplitCriterion::dichotomy) {
-            even.offer(candidate.question, smaller);
-            continue;
-        }
-        const double divisor = options_.criterion == SplitCriterion::gain_per_cost ? *price : 1;
-        even.offer(candidate.question, smaller / divisor);
+        const double smaller = std::min(yes, n - yes), divisor = price(candidate);
+        offer(even, {&candidate, smaller / divisor}, most);
+        if (options_.criterion == SplitCriterion::dichotomy) continue;
         // n times the gain: n H - (yes H_yes + no H_no)
         double bits = entropy_sum(n) - entropy_sum(yes) - entropy_sum(n - yes) - open;
         for (std::size_t c = 0; c < labels.size(); ++c) {
             const auto inside = static_cast<double>(labels[c].count_common(candidate.yes));
             bits += entropy_sum(inside) + entropy_sum(sizes[c] - inside);
         }
-        if (bits > 1e-9 * n) gain.offer(candidate.question, bits / n / divisor);
+        if (bits > 1e-9 * n) offer(gain, {&candidate, bits / n / divisor}, most);
     }
-    return gain.question ? gain.question : even.question;
+    return gain.empty() ? even : gain;
+}
+
+std::optional<Question> Planner::best_split(const ConfigurationSet& set) const {
+    if (space_->diagram) {
+        std::vector<int> wanted;
+        for (const ConceptId id : options_.wanted) wanted.push_back(space_->concepts[id].where.literals()[0]);
+        if (const auto question = best_compiled(set, wanted, false)) return question;
+        return best_compiled(set, {}, false);
+    }
+    const std::vector<Scored> best = ranking(set, 1);
+    return best.empty() ? std::nullopt : std::optional(best[0].candidate->question);
+}
+
+double Planner::price(const Candidate& candidate) const {
+    return options_.criterion == SplitCriterion::gain_per_cost ? *cost(candidate) : 1;
+}
+
+std::optional<double> Planner::price_of(const ConfigurationSet& set, std::size_t& budget) const {
+    if (is_decided(set)) return 0;
+    if (const auto found = prices_.find(set); found != prices_.end()) return found->second;
+    if (budget == 0) return std::nullopt;
+    --budget;
+    const std::vector<Scored> best = ranking(set, 1);
+    if (best.empty()) return prices_[set] = 0;
+    const Candidate& asked = *best[0].candidate;
+    const std::optional<double> yes = price_of(set & asked.yes, budget), no = price_of(set - asked.yes, budget);
+    if (!yes || !no) return std::nullopt;
+    const double share = set.share(asked.yes);
+    return prices_[set] = price(asked) + share * *yes + (1 - share) * *no;
+}
+
+std::optional<Question> Planner::look_ahead(const ConfigurationSet& set) const {
+    const bool is_wise = options_.breadth > 1 && options_.criterion != SplitCriterion::dichotomy && !labels_.empty();
+    if (space_->diagram || !is_wise) return best_split(set);
+    std::size_t budget = look_ahead_budget;
+    std::optional<Question> best;
+    double least = 0;
+    for (const Scored& each : ranking(set, options_.breadth)) {
+        const ConfigurationSet& answer = each.candidate->yes;
+        const std::optional<double> yes = price_of(set & answer, budget), no = price_of(set - answer, budget);
+        if (best && (!yes || !no)) break;
+        const double share = set.share(answer);
+        const double whole = yes && no ? price(*each.candidate) + share * *yes + (1 - share) * *no : 0;
+        if (best && whole >= least - 1e-9 * least) continue;
+        best = each.candidate->question;
+        least = whole;
+        if (!yes || !no) break;
+    }
+    return best;
 }
 
 std::optional<Question> Planner::cheapest_yes(const ConfigurationSet& set) const {

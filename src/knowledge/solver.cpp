@@ -52,6 +52,10 @@ void Solver::require(std::span<const int> literals) {
     }
 }
 
+void Solver::prefer(std::span<const int> literals) {
+    for (const int literal : literals) engine_->cadical.phase(literal);
+}
+
 Verdict Solver::solve(std::span<const int> assumptions) {
     return engine_->run(assumptions) ? Verdict::satisfiable : Verdict::unsatisfiable;
 }

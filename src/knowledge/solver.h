@@ -24,6 +24,9 @@ public:
     /// Makes literals true in this solver from now on, though not in the clauses.
     void require(std::span<const int> literals);
 
+    /// From now on, tries these literals first where it has to guess.
+    void prefer(std::span<const int> literals);
+
     /// Whether the formula has a model in which all assumptions are true.
     [[nodiscard]] Verdict solve(std::span<const int> assumptions = {});
     /// After `satisfiable`: whether the variable is true in the model found.

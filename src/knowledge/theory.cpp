@@ -18,6 +18,8 @@ using owl::AxiomKind;
 using owl::ClassKind;
 using owl::ClassPointer;
 
+constexpr std::size_t deepest_definition = 500;  ///< definitions that rest on each other, one in the next
+
 class TheoryReader {
 public:
     explicit TheoryReader(const owl::Ontology& ontology)
@@ -312,17 +314,21 @@ private:
         });
     }
 
-    /// Whether the definition of `from` rests on `target`.
+    /// Whether the definition of `from` rests on `target`; true as well when that is too deep to tell.
     [[nodiscard]] bool rests_on(int from, int target) const {
         std::vector<char> seen(theory_.concepts.size(), 0);
+        std::size_t depth = 0;
         const auto visit = [&](const auto& self, FormulaId id) -> bool {
             const Formula& formula = theory_.formulas[id];
             if (formula.kind == Formula::Kind::named) {
-                if (formula.index == target) return true;
+                if (formula.index == target || depth == deepest_definition) return true;
                 if (seen[formula.index]) return false;
                 seen[formula.index] = 1;
                 const FormulaId definition = theory_.concepts[formula.index].definition;
-                return definition >= 0 && self(self, definition);
+                ++depth;
+                const bool rests = definition >= 0 && self(self, definition);
+                --depth;
+                return rests;
             }
             if (formula.kind == Formula::Kind::parts) return self(self, formula.index);
             return std::ranges::any_of(formula.operands, [&](FormulaId operand) { return self(self, operand); });
@@ -381,6 +387,10 @@ private:
             if (const auto start = std::ranges::find(path, id); start != path.end()) {
                 std::string others;
                 for (auto i = start + 1; i != path.end(); ++i) {
+                    if (i - start > 4) {
+                        others += " and others";
+                        break;
+                    }
                     const Axiom& other = ontology_.axioms[theory_.concepts[*i].axiom];
                     others += " and " + at(other.source.file, other.source.line, to_manchester(other));
                 }
@@ -389,6 +399,11 @@ private:
                            (others.empty() ? "" : " through" + others.substr(4)),
                        "let definitions rest on features or parts only");
             }
+            if (path.size() > deepest_definition)
+                refuse(ontology_.axioms[theory_.concepts[id].axiom],
+                       "definitions rest on each other more than " + std::to_string(deepest_definition) +
+                           " deep, perhaps in a circle",
+                       "let them rest on features or parts directly");
             path.push_back(id);
             const auto descend = [&](const auto& down, FormulaId f) -> void {
                 const Formula& formula = theory_.formulas[f];

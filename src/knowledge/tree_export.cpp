@@ -1,3 +1,4 @@
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "knowledge/tree_words.h"
@@ -32,11 +33,53 @@ const char* kind_word(VariableKind kind) {
     }
 }
 
+/// The nodes, one a line. Written word by word: a tree has hundreds of nodes and few different words, and building a
+/// JSON value of them all takes longer than everything else from the ontology to the file.
+std::string nodes_as_json(const DecisionTree& tree, const Domain& domain) {
+    const Space& space = *tree.space;
+    const auto quoted = [](const std::string& words) { return Json(words).dump(); };
+    std::vector<std::string> concepts;
+    for (const Concept& each : space.concepts) concepts.push_back(quoted(owl::local_name(each.iri)));
+    std::map<Question, std::string> values;
+    const auto list = [](const auto& items, const auto& word_of) {
+        std::string text = "[";
+        for (const auto& item : items) text.append(text.size() > 1 ? ", " : "").append(word_of(item));
+        return text.append("]");
+    };
+    const auto value_word = [&](Question value) -> const std::string& {
+        std::string& word = values[value];
+        if (word.empty()) word = quoted(value_words(space, value));
+        return word;
+    };
+    const auto concept_word = [&](ConceptId id) -> const std::string& { return concepts[id]; };
+    const auto id_or_null = [](int id) { return id < 0 ? std::string("null") : std::to_string(id); };
+    const std::vector<NodeFeatures> features = follow(tree);
+    std::string text;
+    for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+        const TreeNode& node = tree.nodes[i];
+        text.append(i > 0 ? "," : "").append("\n  {\"id\": ").append(std::to_string(i));
+        text.append(", \"configurations\": ").append(to_number(node.configurations.count_text()).dump());
+        text.append(", \"segmented\": ").append(node.segmented ? "true" : "false");
+        if (node.question) {
+            text.append(", \"question\": {\"text\": ").append(quoted(question_words(space, node, domain)));
+            text.append(", \"variable\": ").append(std::to_string(node.question->variable));
+            text.append(", \"value\": ").append(std::to_string(node.question->value));
+            text.append("}, \"yes\": ").append(id_or_null(node.yes)).append(", \"no\": ").append(id_or_null(node.no));
+            if (node.is_open) text.append(", \"open\": true");
+        }
+        text.append(", \"told\": ").append(list(features[i].told, value_word));
+        text.append(", \"inferred\": ").append(list(features[i].inferred, value_word));
+        text.append(", \"ruled_out\": ").append(list(features[i].ruled_out, value_word));
+        text.append(", \"asserted\": ").append(list(node.asserted, concept_word));
+        text.append(", \"excluded\": ").append(list(node.excluded, concept_word)).append("}");
+    }
+    return text;
+}
+
 }  // namespace
 
 std::string to_json(const DecisionTree& tree, const Domain& domain) {
     const Space& space = *tree.space;
-    const auto concept_name = [&](ConceptId id) { return owl::local_name(space.concepts[id].iri); };
     Json json;
     json["format"] = "partonomy decision tree 1";
     json["ontology"] = domain.ontology.iri;
@@ -56,38 +99,9 @@ std::string to_json(const DecisionTree& tree, const Domain& domain) {
                                     {"incompatible", each.incompatible},
                                     {"provable", each.provable},
                                     {"configurations", to_number(each.where.count_text())}});
-    json["nodes"] = Json::array();
-    const std::vector<NodeFeatures> features = follow(tree);
-    for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
-        const TreeNode& node = tree.nodes[i];
-        const auto words = [&](const std::vector<Question>& values) {
-            Json list = Json::array();
-            for (const Question value : values) list.push_back(value_words(space, value));
-            return list;
-        };
-        const auto names = [&](const std::vector<ConceptId>& ids) {
-            Json list = Json::array();
-            for (const ConceptId id : ids) list.push_back(concept_name(id));
-            return list;
-        };
-        Json entry{
-            {"id", i}, {"configurations", to_number(node.configurations.count_text())}, {"segmented", node.segmented}};
-        if (node.question) {
-            entry["question"] = {{"text", question_words(space, node, domain)},
-                                 {"variable", node.question->variable},
-                                 {"value", node.question->value}};
-            entry["yes"] = node.yes < 0 ? Json(nullptr) : Json(node.yes);
-            entry["no"] = node.no < 0 ? Json(nullptr) : Json(node.no);
-            if (node.is_open) entry["open"] = true;
-        }
-        entry["told"] = words(features[i].told);
-        entry["inferred"] = words(features[i].inferred);
-        entry["ruled_out"] = words(features[i].ruled_out);
-        entry["asserted"] = names(node.asserted);
-        entry["excluded"] = names(node.excluded);
-        json["nodes"].push_back(std::move(entry));
-    }
-    return json.dump(1) + "\n";
+    std::string text = json.dump(1);
+    text.resize(text.size() - 2);  // the closing bracket: nodes come last
+    return text + ",\n \"nodes\": [" + nodes_as_json(tree, domain) + "\n ]\n}\n";
 }
 
 std::string to_dot(const DecisionTree& tree, const Domain& domain) {

@@ -65,7 +65,18 @@ Json diagnosis_to_json(const Diagnosis& diagnosis) {
     json["answers"] = diagnosis.answers;
     json["axioms"] = diagnosis.axioms;
     json["corrections"] = diagnosis.corrections;
+    json["changes"] = Json::array();
+    for (const auto& [answers, cost] : diagnosis.changes)
+        json["changes"].push_back({{"answers", answers}, {"cost", cost}});
     return json;
+}
+
+Json answer_to_json(const LearnedAnswer& answer) {
+    return {{"part", answer.part},
+            {"feature", answer.feature},
+            {"value", answer.value},
+            {"yes", answer.yes},
+            {"score", answer.score}};
 }
 
 Json questions_to_json(const std::map<std::string, int>& questions) {
@@ -102,6 +113,9 @@ std::string to_json(const Annotation& annotation) {
     json["composites"] = list_of(annotation.composites, composite_to_json);
     json["questions"] = questions_to_json(annotation.questions);
     json["trace"] = list_of(annotation.trace, trace_to_json);
+    json["knowledge"] = {{"complete", annotation.is_complete},
+                         {"connected", annotation.connected},
+                         {"answers", list_of(annotation.answers, answer_to_json)}};
     json["diagnosis"] = list_of(annotation.diagnosis, diagnosis_to_json);
     json["open_questions"] = annotation.open_questions;
     json["timings_ms"] = object_of(annotation.timings_ms);

@@ -31,6 +31,8 @@ TEST(Check, FurnitureIsFine) {
     EXPECT_TRUE(has({"FootIncompatibleFurnitures", "Chair"}));
     EXPECT_FALSE(has({"Chair", "Armchair"}));
     EXPECT_TRUE(report.at("unsatisfiable").empty());
+    EXPECT_TRUE(report.at("ok").get<bool>());
+    for (const json& finding : report.at("findings")) EXPECT_EQ(finding.at("severity"), "remark") << finding;
 }
 
 TEST(Check, NamesWhatIsWrong) {
@@ -48,8 +50,52 @@ TEST(Check, NamesWhatIsWrong) {
         "  [ a owl:Restriction ; owl:onProperty core:hasPart ; owl:someValuesFrom :Leg ] .\n");
     const ProgramResult result = run_partonomy({"check", "o.ttl"}, folder.path());
     EXPECT_EQ(result.exit_code, 1);
-    EXPECT_NE(result.out.find("nothing can ever be a Both"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("wrong: o.ttl:6: no region can ever be a Both"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("\n    o.ttl:6: Both EquivalentTo: "), std::string::npos) << "the cause: " << result.out;
     EXPECT_NE(result.out.find("Leg has only necessary conditions"), std::string::npos) << result.out;
+}
+
+TEST(Check, FindingsAsJson) {
+    const TemporaryFolder folder;
+    const std::string start =
+        "@prefix : <http://example.org/d#> .\n@prefix owl: <http://www.w3.org/2002/07/owl#> .\n"
+        "@prefix rdfs: <http://www.w3.org/2000/01/rdf-schema#> .\n@prefix core: <https://w3id.org/partonomy/core#> .\n"
+        "<http://example.org/d> a owl:Ontology ; owl:imports <https://w3id.org/partonomy/core> .\n"
+        ":Leg a owl:Class ; core:colour \"#ff0000\" ; rdfs:subClassOf core:Region ; owl:equivalentClass\n"
+        "  [ a owl:Restriction ; owl:onProperty core:hasShape ; owl:someValuesFrom core:Stick ] .\n"
+        ":Stool a owl:Class ; rdfs:subClassOf core:Object ; owl:equivalentClass\n"
+        "  [ a owl:Restriction ; owl:onProperty core:hasPart ; owl:someValuesFrom :Leg ] .\n";
+    folder.write("typo.ttl", start);
+    ProgramResult result = run_partonomy({"check", "typo.ttl", "--json"}, folder.path());
+    EXPECT_EQ(result.exit_code, 1);
+    json report = json::parse(result.out);
+    EXPECT_FALSE(report.at("ok").get<bool>());
+    EXPECT_EQ(report.at("findings").at(0),
+              (json{{"kind", "unknown term"},
+                    {"severity", "wrong"},
+                    {"concepts", {"colour"}},
+                    {"file", "typo.ttl"},
+                    {"line", 6},
+                    {"what", "core:colour is no term of the core ontology"},
+                    {"advice", "did you mean core:color?"},
+                    {"causes", json::array()}}));
+
+    folder.write("torn.ttl", start + "core:Region rdfs:subClassOf :Leg .\n"
+                                     ":Leg rdfs:subClassOf [ owl:complementOf :Leg ] .\n");
+    result = run_partonomy({"check", "torn.ttl", "--json"}, folder.path());
+    EXPECT_EQ(result.exit_code, 1);
+    report = json::parse(result.out);
+    const json& torn = report.at("findings").at(1);
+    EXPECT_EQ(torn.at("kind"), "contradiction");
+    EXPECT_EQ(torn.at("causes").at(0).size(), 2U) << torn;
+    EXPECT_EQ(run_partonomy({"tree", "torn.ttl"}, folder.path()).exit_code, 1);
+
+    folder.write("refused.ttl", start + ":near a owl:ObjectProperty .\n"
+                                        ":Seat a owl:Class ; rdfs:subClassOf core:Region ; owl:equivalentClass\n"
+                                        "  [ a owl:Restriction ; owl:onProperty :near ; owl:someValuesFrom :Leg ] .\n");
+    result = run_partonomy({"check", "refused.ttl"}, folder.path());
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_NE(result.out.find("wrong: refused.ttl:11: \"Seat EquivalentTo"), std::string::npos) << result.out;
 }
 
 TEST(Export, ChangesTheSyntaxAndNothingElse) {
@@ -126,6 +172,26 @@ TEST(Explain, OnePartOrAll) {
     EXPECT_NE(one.out.find("part 1 is a"), std::string::npos);
     EXPECT_EQ(one.out.find("part 2 is a"), std::string::npos);
     EXPECT_EQ(run_partonomy({"explain", "out/bench", "--part", "9"}, folder.path()).exit_code, 1);
+}
+
+TEST(Explain, EveryMinimalExplanation) {
+    const TemporaryFolder folder;
+    folder.write("strange.off", to_off(paper_objects().back().mesh));
+    ASSERT_EQ(run_partonomy({"annotate", "strange.off", "--ontology", furniture_path(), "-o", "out"}, folder.path())
+                  .exit_code,
+              2);
+    const ProgramResult one = run_partonomy({"explain", "out/strange"}, folder.path());
+    EXPECT_EQ(one.exit_code, 2) << one.err;
+    EXPECT_NE(one.out.find("cheapest corrections"), std::string::npos) << one.out;
+    EXPECT_EQ(one.out.find("explanation 1 of"), std::string::npos);
+    const ProgramResult all = run_partonomy({"explain", "out/strange", "--all"}, folder.path());
+    EXPECT_EQ(all.exit_code, 2) << all.err;
+    EXPECT_NE(all.out.find("FootIncompatibleFurnitures: explanation 2 of"), std::string::npos) << all.out;
+    EXPECT_NE(all.out.find("furniture.ttl:"), std::string::npos);
+    folder.write("other.ttl", read_file(furniture_path()) + "# changed\n");
+    const ProgramResult other = run_partonomy({"explain", "out/strange", "--all", "-O", "other.ttl"}, folder.path());
+    EXPECT_EQ(other.exit_code, 1);
+    EXPECT_NE(other.err.find("annotate again"), std::string::npos) << other.err;
 }
 
 TEST(Eval, AgainstTheTruthOfTheExamples) {

@@ -172,5 +172,36 @@ TEST(UnknownUnit, LeavesQuestionsOfSizeUnasked) {
     EXPECT_EQ(annotation.all_classes, std::vector<std::string>{"Furniture"});  // couch or bench: only a unit could tell
 }
 
+/// With a diagram that may have no node, a solver says the same about the same objects.
+TEST(PaperObjects, TheSameWithoutADiagram) {
+    knowledge::CompileOptions options;
+    options.listing_limit = 0;
+    options.diagram.node_limit = 0;
+    const knowledge::Domain domain =
+        knowledge::compile(owl::load_ontology(PARTONOMY_SOURCE_DIR "/ontologies/furniture.ttl"), options);
+    ASSERT_TRUE(domain.regions.diagram && domain.regions.diagram->sample() != nullptr);
+    const Catalogue catalogue = make_catalogue(domain);
+    for (const ExampleObject& object : paper_objects()) {
+        SCOPED_TRACE(object.name);
+        const Annotation expected = Furniture::get().annotate(object.mesh);
+        const Annotation annotation = annotate(domain, catalogue, make_object(object.mesh, {}));
+        EXPECT_EQ(annotation.labels, expected.labels);
+        EXPECT_EQ(annotation.classes, expected.classes);
+        EXPECT_EQ(annotation.all_classes, expected.all_classes);
+        EXPECT_EQ(annotation.consistent, expected.consistent);
+        EXPECT_NEAR(annotation.score, expected.score, 1e-12);
+        ASSERT_EQ(annotation.parts.size(), expected.parts.size());
+        for (std::size_t i = 0; i < expected.parts.size(); ++i) {
+            EXPECT_EQ(annotation.parts[i].concepts, expected.parts[i].concepts);
+            EXPECT_EQ(annotation.parts[i].triangles, expected.parts[i].triangles);
+        }
+        ASSERT_EQ(annotation.diagnosis.size(), expected.diagnosis.size());
+        for (std::size_t i = 0; i < expected.diagnosis.size(); ++i) {
+            EXPECT_EQ(annotation.diagnosis[i].concept_name, expected.diagnosis[i].concept_name);
+            EXPECT_EQ(annotation.diagnosis[i].parts, expected.diagnosis[i].parts);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace partonomy

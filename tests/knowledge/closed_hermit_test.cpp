@@ -2,20 +2,16 @@
    equality assertion, on the exported closed ontology. */
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <set>
-#include <sstream>
 
 #include "base/errors.h"
-#include "base/files.h"
 #include "closed_answer.h"
 #include "closed_random.h"
+#include "hermit.h"
 #include "owl/write.h"
 
 using namespace partonomy;
@@ -23,36 +19,11 @@ using knowledge::ClosedWorld;
 
 namespace {
 
-std::filesystem::path hermit_jar() {
-    const std::filesystem::path root = PARTONOMY_SOURCE_DIR "/.venv/lib";
-    if (!std::filesystem::exists(root)) return {};
-    for (const auto& python : std::filesystem::directory_iterator(root)) {
-        const auto jar = python.path() / "site-packages/owlready2/hermit/HermiT.jar";
-        if (std::filesystem::exists(jar)) return jar;
-    }
-    return {};
-}
-
 /// One line of HermitJudge for each world.
 std::vector<std::string> hermit_on(const std::vector<ClosedWorld>& worlds) {
-    const auto folder = std::filesystem::temp_directory_path() / ("partonomy-hermit-" + std::to_string(::getpid()));
-    std::filesystem::create_directories(folder);
-    std::string text;
-    for (const ClosedWorld& world : worlds) text += owl::write_functional(knowledge::closed_ontology(world)) + "%%%%\n";
-    write_file(folder / "in", text);
-    const std::string command = "java -XX:+UseSerialGC -cp '" + hermit_jar().string() +
-                                "' " PARTONOMY_SOURCE_DIR "/tests/knowledge/HermitJudge.java < " +
-                                (folder / "in").string() + " > " + (folder / "out").string() + " 2> " +
-                                (folder / "err").string();
-    const int code = std::system(command.c_str());
-    EXPECT_EQ(code, 0) << read_file(folder / "err");
-    std::istringstream out(read_file(folder / "out"));
-    std::vector<std::string> lines;
-    for (std::string line; std::getline(out, line);) lines.push_back(line);
-    std::filesystem::remove_all(folder);
-    EXPECT_EQ(lines.size(), worlds.size());
-    lines.resize(worlds.size());
-    return lines;
+    std::vector<std::string> texts;
+    for (const ClosedWorld& world : worlds) texts.push_back(owl::write_functional(knowledge::closed_ontology(world)));
+    return hermit::judge(texts);
 }
 
 std::string ours_on(const ClosedWorld& world) { return line_of(our_answer(world)); }
@@ -93,8 +64,7 @@ unsigned environment(const char* name, unsigned otherwise) {
 }  // namespace
 
 TEST(ClosedWorldHermit, AgreesOnRandomKnowledgeBases) {
-    if (hermit_jar().empty() || std::system("java -version > /dev/null 2>&1") != 0)
-        GTEST_SKIP() << "no HermiT: run ./dev setup";
+    if (!hermit::is_there()) GTEST_SKIP() << "no HermiT: run ./dev setup";
     const unsigned first = environment("PARTONOMY_SEED", 1), wanted = environment("PARTONOMY_WORLDS", 1200);
     std::cout << "seeds " << first << " to " << first + wanted - 1 << "\n";
     std::vector<ClosedWorld> worlds;

@@ -154,7 +154,7 @@ TEST(Composites, HeadrestWithoutBackrestIsExplained) {
     EXPECT_EQ(culprits(domain, knowledge, iri("BareHeadFurniture")), (std::vector<int>{4}));
     const auto mended = corrections(domain, knowledge, iri("HeadAlone"), {0.5, 0.5, 0.5, 0.5, 0.1});
     ASSERT_FALSE(mended.empty());
-    EXPECT_EQ(mended[0].answer, 4U);
+    EXPECT_EQ(mended[0].answers, (std::vector<std::size_t>{4}));
 }
 
 TEST(Composites, WhatDoesNotFitIsRefused) {

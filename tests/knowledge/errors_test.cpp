@@ -70,6 +70,53 @@ TEST(Errors, CircularDefinitions) {
     EXPECT_TRUE(error.starts_with("mini.ttl:9: ")) << error;
 }
 
+TEST(Errors, DeepDefinitionsAreRefusedNotCrashed) {
+    constexpr int depth = 20'000;
+    const auto named = [](int i) {
+        std::string text = "A";
+        return name(text += std::to_string(i));
+    };
+    for (const bool is_circle : {false, true}) {
+        Ontology ontology = shapes();
+        for (int i = 0; i < depth; ++i) {
+            const bool is_last = i + 1 == depth;
+            std::string text = "A";
+            ontology.same(text += std::to_string(i),
+                          both({name("Region"), no(named(is_last && is_circle ? 0 : i + 1))}));
+        }
+        ontology.sub(named(depth), name("Region")).same("Chair", some("hasPart", "A0"));
+        const std::string error = error_of(ontology.result);
+        EXPECT_NE(error.find("more than 500 deep"), std::string::npos) << error.substr(0, 500);
+        EXPECT_LT(error.size(), 1000U);
+    }
+    Ontology synonyms = shapes();
+    for (int i = 0; i < 3000; ++i) {
+        std::string text = "A";
+        synonyms.same(text += std::to_string(i), named(i + 1));
+    }
+    synonyms.same("A0", some("hasShape", "Board")).same("Chair", some("hasPart", "A0"));
+    EXPECT_LT(error_of(synonyms.result).size(), 1000U);
+}
+
+TEST(Errors, AContradictionAmongManyRulesIsFound) {
+    Ontology ontology;
+    const auto has = [](int i, bool yes) {
+        const std::string n = std::to_string(i);
+        return some("hasF" + n, (yes ? "yes" : "no") + n);
+    };
+    for (int i = 0; i < 200; ++i) {
+        const std::string n = std::to_string(i);
+        ontology.range("F" + n, {"yes" + n, "no" + n});
+    }
+    for (int i = 0; i + 1 < 200; ++i) ontology.sub(both({name("Region"), has(i, true)}), has(i + 1, true));
+    ontology.sub(name("Region"), has(20, true))
+        .sub(name("Region"), has(23, false))
+        .same("Chair", some("hasPart", "Thing"));
+    const std::string error = error_of(ontology.result);
+    EXPECT_NE(error.find("leaves no region possible"), std::string::npos) << error;
+    EXPECT_EQ(std::ranges::count(error, '"'), 2 * 5) << "five axioms, no more: " << error;
+}
+
 TEST(Errors, InconsistentLayersAreBlamed) {
     Ontology ontology = shapes();
     ontology.same("Chair", some("hasPart", "Thing"))

@@ -63,7 +63,7 @@ TEST(Json, HoldsWhatTheDesignPromisesInStableOrder) {
     const auto json = nlohmann::ordered_json::parse(text);
     EXPECT_EQ(keys_of(json),
               (std::vector<std::string>{"mesh", "ontology", "strategy", "object", "parts", "composites", "questions",
-                                        "trace", "diagnosis", "open_questions", "timings_ms"}));
+                                        "trace", "knowledge", "diagnosis", "open_questions", "timings_ms"}));
     EXPECT_EQ(json["mesh"]["file"], "bench.off");
     EXPECT_EQ(json["mesh"]["sha256"], std::string(64, 'a'));
     EXPECT_EQ(json["mesh"]["faces"], 30);

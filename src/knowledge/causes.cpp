@@ -1,0 +1,57 @@
+#include "knowledge/causes.h"
+
+#include <algorithm>
+
+#include "knowledge/object_clauses.h"
+
+// Ask for one region that is a member (or for an object with as many parts as could be needed), with every axiom as a
+// selector: the minimal conflicts are the causes. Features and the exclusion of their values are no axioms to blame.
+
+namespace partonomy::knowledge {
+namespace {
+
+constexpr std::size_t most_to_enumerate = 60;  // axioms; beyond, one cause has to do
+constexpr double most_seconds = 0.2;           // for the causes after the first
+
+std::vector<Cause> causes(const Theory& theory, Level level, int goal, std::size_t limit) {
+    if (!can_express(theory)) return {};
+    ObjectClauses object(theory);
+    if (level == Level::region)
+        (void)object.add_region();
+    else
+        object.add_further_parts(parts_for(theory, goal));
+    object.require_constraints(Level::region);
+    if (level == Level::object) object.require_constraints(Level::object);
+    if (goal >= 0)
+        object.clauses.add({level == Level::region ? object.region_concept(0, goal) : object.object_concept(goal)});
+
+    const std::vector<std::size_t> axioms = object.axioms();
+    std::vector<Selector> selectors;
+    for (const std::size_t axiom : axioms) selectors.push_back({object.selector(axiom)});
+    Solver solver(object.clauses);
+    std::vector<SelectorSet> sets;
+    if (axioms.size() <= most_to_enumerate && limit > 1) {
+        for (RankedSet& each : lightest_conflicts(solver, selectors, {limit, most_seconds}).sets)
+            sets.push_back(std::move(each.set));
+    }
+    if (sets.empty())
+        if (auto one = minimal_conflict(solver, selectors)) sets.push_back(std::move(*one));
+    std::vector<Cause> result;
+    for (const SelectorSet& set : sets) {
+        Cause& cause = result.emplace_back();
+        for (const std::size_t i : set) cause.push_back(axioms[i]);
+    }
+    return result;
+}
+
+}  // namespace
+
+std::vector<Cause> causes_of_unsatisfiable(const Theory& theory, int id, std::size_t limit) {
+    return causes(theory, theory.concepts[id].level, id, limit);
+}
+
+std::vector<Cause> causes_of_nothing(const Theory& theory, Level level, std::size_t limit) {
+    return causes(theory, level, -1, limit);
+}
+
+}  // namespace partonomy::knowledge

@@ -1,0 +1,486 @@
+/* What is wrong with an ontology, in the words of the expert who wrote it.
+
+   Most of it is read off the configuration spaces: a concept without configurations is unsatisfiable, two with the same
+   ones cannot be told apart, two that share some but not all overlap. A space that is not listed is looked at through
+   models that a SAT solver finds, one for each concept at least: concepts that differ in a model differ, and those that
+   never did are asked about pair by pair, each answer that they differ being one more model for all (as in SAT sweeping
+   of circuits: Kuehlmann et al. 2002). Causes are minimal conflicts (causes.cpp). */
+
+#include "knowledge/lint.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "base/errors.h"
+#include "knowledge/assembly.h"
+#include "knowledge/causes.h"
+#include "knowledge/object_clauses.h"
+#include "knowledge/theory.h"
+
+namespace partonomy::knowledge {
+namespace {
+
+bool is_core(const Iri& iri) { return iri.starts_with(owl::core_prefix); }
+
+std::string list_of(const std::vector<std::string>& names, std::size_t most = 8, const std::string& last = " and ") {
+    std::string text;
+    const std::size_t shown = names.size() > most + 1 ? most : names.size();
+    for (std::size_t i = 0; i < shown; ++i) text += (i == 0 ? "" : i + 1 == names.size() ? last : ", ") + names[i];
+    if (shown < names.size()) text += " and " + std::to_string(names.size() - shown) + " more";
+    return text;
+}
+
+std::vector<std::string> local_names(const std::vector<Iri>& iris) {
+    std::vector<std::string> names;
+    for (const Iri& iri : iris) names.push_back(owl::local_name(iri));
+    return names;
+}
+
+/// How the concepts of one layer relate.
+struct Relations {
+    std::vector<std::vector<std::size_t>> alike;                                ///< groups of at least two
+    std::vector<std::pair<std::size_t, std::vector<std::size_t>>> overlapping;  ///< with later ones
+    std::vector<std::size_t> universal;
+};
+
+Relations relate_listed(const Space& space, const std::vector<std::size_t>& concepts) {
+    Relations relations;
+    const auto where = [&](std::size_t c) -> const ConfigurationSet& { return space.concepts[c].where; };
+    std::map<ConfigurationSet, std::vector<std::size_t>> groups;
+    for (const std::size_t c : concepts) groups[where(c)].push_back(c);
+    const ConfigurationSet all = space.all();
+    for (const auto& [set, group] : groups) {
+        if (set == all)
+            relations.universal.insert(relations.universal.end(), group.begin(), group.end());
+        else if (group.size() > 1)
+            relations.alike.push_back(group);
+    }
+    for (std::size_t i = 0; i < concepts.size(); ++i) {
+        std::vector<std::size_t> others;
+        for (std::size_t j = i + 1; j < concepts.size(); ++j) {
+            const ConfigurationSet &a = where(concepts[i]), &b = where(concepts[j]);
+            if (a.intersects(b) && !a.is_subset_of(b) && !b.is_subset_of(a)) others.push_back(concepts[j]);
+        }
+        if (!others.empty()) relations.overlapping.emplace_back(concepts[i], std::move(others));
+    }
+    return relations;
+}
+
+/// Models of one region, as a column of bits for each concept.
+class Sampler {
+public:
+    Sampler(const Theory& theory, const Space& space, const std::vector<std::size_t>& concepts)
+        : object_(theory, false), concepts_(concepts), columns_(concepts.size()) {
+        const std::size_t part = object_.add_region();
+        for (const std::size_t c : concepts)
+            literals_.push_back(object_.region_concept(part, theory.find(space.concepts[c].iri)));
+        object_.require_constraints(Level::region);
+        solver_.emplace(object_.clauses);
+    }
+
+    Relations run() {
+        for (std::size_t i = 0; i < concepts_.size(); ++i) {
+            if (!has_been(i, true)) learn(literals_[i]);
+            if (!has_been(i, false)) learn(-literals_[i]);
+        }
+        Relations relations;
+        std::vector<char> done(concepts_.size(), 0);
+        for (std::size_t i = 0; i < concepts_.size(); ++i) {
+            if (done[i]) continue;
+            if (!has_been(i, false)) {
+                relations.universal.push_back(concepts_[i]);
+                continue;
+            }
+            std::vector<std::size_t> group{concepts_[i]};
+            for (std::size_t j = i + 1; j < concepts_.size(); ++j)
+                if (!done[j] && are_alike(i, j)) {
+                    done[j] = 1;
+                    group.push_back(concepts_[j]);
+                }
+            if (group.size() > 1) relations.alike.push_back(std::move(group));
+        }
+        for (std::size_t i = 0; i < concepts_.size(); ++i) {
+            std::vector<std::size_t> others;
+            for (std::size_t j = i + 1; j < concepts_.size(); ++j) {
+                if (concepts_.size() <= most_to_pair && !overlap(columns_[i], columns_[j]) &&
+                    learn(literals_[i], literals_[j]) && learn(literals_[i], -literals_[j]))
+                    learn(-literals_[i], literals_[j]);
+                if (overlap(columns_[i], columns_[j])) others.push_back(concepts_[j]);
+            }
+            if (!others.empty()) relations.overlapping.emplace_back(concepts_[i], std::move(others));
+        }
+        return relations;
+    }
+
+private:
+    using Column = std::vector<std::uint64_t>;
+    static constexpr std::size_t most_to_pair = 64;  ///< of more concepts, only overlaps that a model shows are told
+
+    /// One more model in which both literals are true; false when there is none.
+    bool learn(int literal, int other = 0) {
+        const std::vector<int> assumptions = other == 0 ? std::vector{literal} : std::vector{literal, other};
+        if (solver_->solve(assumptions) == Verdict::unsatisfiable) return false;
+        if (models_ % 64 == 0)
+            for (Column& column : columns_) column.push_back(0);
+        for (std::size_t i = 0; i < literals_.size(); ++i)
+            if (solver_->value(std::abs(literals_[i])) == (literals_[i] > 0))
+                columns_[i].back() |= std::uint64_t{1} << (models_ % 64);
+        ++models_;
+        return true;
+    }
+    [[nodiscard]] bool has_been(std::size_t i, bool value) const {
+        for (std::size_t m = 0; m < models_; ++m)
+            if (((columns_[i][m / 64] >> (m % 64) & 1U) != 0) == value) return true;
+        return false;
+    }
+    [[nodiscard]] bool are_alike(std::size_t i, std::size_t j) {
+        if (literals_[i] == literals_[j]) return true;
+        return columns_[i] == columns_[j] && !learn(literals_[i], -literals_[j]) && !learn(-literals_[i], literals_[j]);
+    }
+    [[nodiscard]] static bool overlap(const Column& a, const Column& b) {
+        std::uint64_t both = 0, only_a = 0, only_b = 0;
+        for (std::size_t w = 0; w < a.size(); ++w) {
+            both |= a[w] & b[w];
+            only_a |= a[w] & ~b[w];
+            only_b |= b[w] & ~a[w];
+        }
+        return both != 0 && only_a != 0 && only_b != 0;
+    }
+
+    ObjectClauses object_;
+    const std::vector<std::size_t>& concepts_;
+    std::vector<int> literals_;
+    std::vector<Column> columns_;
+    std::size_t models_ = 0;
+    std::optional<Solver> solver_;
+};
+
+class Linter {
+public:
+    Linter(const Domain& domain, const LintOptions& options)
+        : domain_(domain), theory_(domain.grounding->theory), options_(options) {
+        for (std::size_t i = 0; i < domain.ontology.axioms.size(); ++i)
+            for_each_name(domain.ontology.axioms[i], [&](const Iri& iri) {
+                std::vector<std::size_t>& axioms = uses_[iri];
+                if (axioms.empty() || axioms.back() != i) axioms.push_back(i);
+            });
+    }
+
+    std::vector<Finding> run() {
+        if (const std::string why = why_not_counted(domain_.regions); !why.empty())
+            add(FindingKind::uncounted, false, {}, {}, why,
+                "raise the limit, or let rules tie fewer concepts together");
+        look_at_space(domain_.regions, "region");
+        for (const CompositeSpace& composite : domain_.composites) {
+            Space own = composite.space;  // without the concepts that speak of every composite part
+            std::erase_if(own.concepts,
+                          [&](const Concept& each) { return theory_.concepts[theory_.find(each.iri)].group < 0; });
+            look_at_space(own, "composite part");
+        }
+        look_at_space(domain_.objects, "object");
+        look_at_features();
+        look_at_numbers();
+        look_at_relations();
+        look_at_declarations();
+        std::ranges::stable_sort(findings_, {}, [](const Finding& f) {
+            return std::tuple(!f.is_wrong, f.kind, std::cref(f.where.file).get(), f.where.line);
+        });
+        return std::move(findings_);
+    }
+
+private:
+    Finding& add(FindingKind kind, bool is_wrong, std::vector<Iri> concepts, owl::Source where, std::string what,
+                 std::string advice) {
+        findings_.push_back(
+            {kind, is_wrong, std::move(concepts), std::move(where), std::move(what), std::move(advice), {}});
+        return findings_.back();
+    }
+
+    /// Of its definition, else of the first axiom that is about it, else of its declaration.
+    [[nodiscard]] owl::Source place_of(const Iri& iri) const {
+        const int id = theory_.find(iri);
+        if (id >= 0 && theory_.concepts[id].definition >= 0)
+            return domain_.ontology.axioms[theory_.concepts[id].axiom].source;
+        for (const owl::EntityKind kind :
+             {owl::EntityKind::klass, owl::EntityKind::object_property, owl::EntityKind::data_property})
+            if (const owl::Entity* entity = domain_.ontology.find(iri, kind)) return entity->source;
+        const auto found = uses_.find(iri);
+        return found == uses_.end() ? owl::Source{} : domain_.ontology.axioms[found->second.front()].source;
+    }
+
+    void look_at_space(const Space& space, const std::string& what) {
+        look_at_concepts(space, what);
+        look_at_relations(space, what);
+    }
+
+    void look_at_concepts(const Space& space, const std::string& what) {
+        for (const Concept& each : space.concepts) {
+            if (is_core(each.iri)) continue;
+            const std::string name = owl::local_name(each.iri);
+            const NamedConcept& named = theory_.concepts[theory_.find(each.iri)];
+            if (each.where.is_empty()) {
+                Finding& finding =
+                    add(FindingKind::unsatisfiable, true, {each.iri}, place_of(each.iri),
+                        "no " + what + " can ever be " + with_article(name), "weaken one of these axioms");
+                if (explained_++ < options_.explained)
+                    finding.causes = causes_of_unsatisfiable(theory_, theory_.find(each.iri), options_.causes);
+            } else if (!each.provable && named.definition < 0) {
+                add(FindingKind::unprovable, true, {each.iri}, place_of(each.iri),
+                    name + " has only necessary conditions, so no " + what + " can ever be proved to be " +
+                        with_article(name),
+                    "did you mean EquivalentTo?");
+            } else if (!each.provable) {
+                const std::vector<std::string> open = concepts_without_definition(named.definition);
+                add(FindingKind::unprovable, true, {each.iri}, place_of(each.iri),
+                    "no " + what + " can ever be proved to be " + with_article(name) +
+                        ", because its definition rests on " + (open.empty() ? "concepts" : list_of(open)) +
+                        " without a definition",
+                    "give " + std::string(open.size() == 1 ? open[0] : "them") + " an EquivalentTo");
+            }
+        }
+    }
+
+    [[nodiscard]] std::vector<std::string> concepts_without_definition(FormulaId from) const {
+        std::set<FormulaId> seen;
+        std::vector<Iri> found;
+        const auto visit = [&](const auto& self, FormulaId id) -> void {
+            if (!seen.insert(id).second) return;
+            const Formula& formula = theory_.formulas[id];
+            if (formula.kind == Formula::Kind::parts) self(self, formula.index);
+            for (const FormulaId operand : formula.operands) self(self, operand);
+            if (formula.kind != Formula::Kind::named) return;
+            const NamedConcept& named = theory_.concepts[formula.index];
+            if (named.definition >= 0)
+                self(self, named.definition);
+            else if (std::ranges::find(found, named.iri) == found.end())
+                found.push_back(named.iri);
+        };
+        visit(visit, from);
+        return local_names(found);
+    }
+
+    void look_at_relations(const Space& space, const std::string& what) {
+        std::vector<std::size_t> concepts;
+        for (std::size_t c = 0; c < space.concepts.size(); ++c)
+            if (!is_core(space.concepts[c].iri) && !space.concepts[c].where.is_empty()) concepts.push_back(c);
+        Relations relations;
+        if (!space.diagram)
+            relations = relate_listed(space, concepts);
+        else if (can_express(theory_))
+            relations = Sampler(theory_, space, concepts).run();
+        for (const std::size_t c : relations.universal)
+            add(FindingKind::universal, false, {space.concepts[c].iri}, place_of(space.concepts[c].iri),
+                "every " + what + " is " + with_article(owl::local_name(space.concepts[c].iri)),
+                "narrow its definition if that is not meant");
+        for (const std::vector<std::size_t>& group : relations.alike) {
+            std::vector<Iri> iris;
+            for (const std::size_t c : group) iris.push_back(space.concepts[c].iri);
+            const bool is_told = are_told_equivalent(iris);
+            add(FindingKind::indistinguishable, !is_told, iris, place_of(iris.back()),
+                "nothing can tell " + list_of(local_names(iris)) + " apart" +
+                    (is_told ? ", as an EquivalentTo says" : ""),
+                is_told ? "keep one of the names if that is not meant"
+                        : "add what distinguishes them, or keep one of the names");
+        }
+        std::size_t told = 0;
+        for (const auto& [c, others] : relations.overlapping) {
+            const auto is_plain = [&](std::size_t i) {
+                return !space.concepts[i].incompatible && space.concepts[i].provable;
+            };
+            std::vector<Iri> iris{space.concepts[c].iri};
+            for (const std::size_t other : others)
+                if (is_plain(other)) iris.push_back(space.concepts[other].iri);
+            if (!is_plain(c) || iris.size() < 2 || told++ >= options_.overlapping) continue;
+            std::vector<std::string> names = local_names(iris);
+            const std::string first = names.front();
+            names.erase(names.begin());
+            add(FindingKind::overlapping, false, iris, place_of(iris.front()),
+                with_article(first) + " may also be " + list_of(names), "make them disjoint if that is not meant");
+        }
+    }
+
+    [[nodiscard]] bool are_told_equivalent(const std::vector<Iri>& iris) const {
+        return std::ranges::any_of(domain_.ontology.axioms, [&](const owl::Axiom& axiom) {
+            return axiom.kind == owl::AxiomKind::equivalent_classes && std::ranges::all_of(iris, [&](const Iri& iri) {
+                       return std::ranges::any_of(axiom.classes, [&](const owl::ClassPointer& each) {
+                           return each->kind == owl::ClassKind::named && each->iri == iri;
+                       });
+                   });
+        });
+    }
+
+    /// Axioms that use the name and are not about it alone.
+    [[nodiscard]] std::vector<std::size_t> users_of(const Iri& iri) const {
+        const auto found = uses_.find(iri);
+        std::vector<std::size_t> users;
+        if (found == uses_.end()) return users;
+        for (const std::size_t i : found->second) {
+            const owl::Axiom& axiom = domain_.ontology.axioms[i];
+            const bool is_structure = axiom.kind != owl::AxiomKind::sub_class_of &&
+                                      axiom.kind != owl::AxiomKind::equivalent_classes &&
+                                      axiom.kind != owl::AxiomKind::rule;
+            const bool is_its_own = !axiom.classes.empty() && axiom.classes[0]->iri == iri && mentions(axiom, iri) == 1;
+            if (!is_structure && !is_its_own) users.push_back(i);
+        }
+        return users;
+    }
+    [[nodiscard]] static std::size_t mentions(const owl::Axiom& axiom, const Iri& iri) {
+        std::size_t count = 0;
+        for_each_name(axiom, [&](const Iri& each) { count += each == iri; });
+        return count;
+    }
+    /// "Seat and Table" that some of the axioms are about.
+    [[nodiscard]] std::string about(const std::vector<std::size_t>& axioms) const {
+        std::vector<std::string> names;
+        for (const std::size_t i : axioms) {
+            const owl::Axiom& axiom = domain_.ontology.axioms[i];
+            if (axiom.classes.empty() || axiom.classes[0]->kind != owl::ClassKind::named) continue;
+            std::string name = owl::local_name(axiom.classes[0]->iri);
+            if (std::ranges::find(names, name) == names.end()) names.push_back(std::move(name));
+        }
+        return list_of(names, 4);
+    }
+
+    void look_at_features() {
+        for (std::size_t r = 0; r < domain_.ranges.size(); ++r) {
+            const RangeConcept& range = domain_.ranges[r];
+            const std::string name = owl::local_name(range.iri);
+            if (range.values.empty())
+                add(FindingKind::unused, true, {range.iri}, place_of(range.iri), name + " has no values",
+                    "put classes below it");
+            std::vector<Iri> unused, unanswered;
+            std::vector<std::size_t> users;
+            for (std::size_t v = 0; v < range.values.size(); ++v) {
+                const Iri& value = range.values[v].iri;
+                const std::vector<std::size_t> own = users_of(value);
+                if (own.empty()) unused.push_back(value);
+                if (options_.can_answer && !options_.can_answer({static_cast<int>(r), static_cast<int>(v)})) {
+                    unanswered.push_back(value);
+                    users.insert(users.end(), own.begin(), own.end());
+                }
+            }
+            // One value without an algorithm is known by exclusion.
+            if (unanswered.size() + (range.covered ? 0 : 1) > 1) add_unanswerable(range, unanswered, users);
+            if (unused.empty() || is_core(range.iri)) continue;
+            add(FindingKind::unused, false, unused, place_of(unused.front()),
+                "no axiom asks for " + list_of(local_names(unused)) + " of " + name, "leave them out, or use them");
+        }
+    }
+
+    void add_unanswerable(const RangeConcept& range, const std::vector<Iri>& values, std::vector<std::size_t> users) {
+        std::ranges::sort(users);
+        users.erase(std::unique(users.begin(), users.end()), users.end());
+        if (values.empty() || (users.empty() && is_core(range.iri))) return;
+        const std::string whom = about(users);
+        add(FindingKind::unanswerable, !users.empty(), values,
+            users.empty() ? place_of(values.front()) : domain_.ontology.axioms[users.front()].source,
+            "no algorithm can tell whether the " + owl::local_name(range.iri) + " of a region is " +
+                list_of(local_names(values), 8, " or ") +
+                (whom.empty() ? "" : ", so what " + whom + " asks of it stays open"),
+            "give " + std::string(values.size() == 1 ? "it" : "them") +
+                " a core:measure with core:membership, or a core:criterion");
+    }
+
+    void look_at_numbers() {
+        for (std::size_t n = 0; n < domain_.numbers.size(); ++n) {
+            const MeasuredProperty& number = domain_.numbers[n];
+            const auto variable = static_cast<VariableId>(domain_.ranges.size() + n);
+            const bool can = !number.measure.empty() && (!options_.can_answer || number.intervals.size() < 2 ||
+                                                         options_.can_answer({variable, 0}));
+            if (can) continue;
+            const std::vector<std::size_t> users = users_of(number.iri);
+            const std::string whom = about(users);
+            add(FindingKind::unanswerable, true, {number.iri},
+                users.empty() ? place_of(number.iri) : domain_.ontology.axioms[users.front()].source,
+                owl::local_name(number.iri) + " has no core:measure, so nothing can answer it" +
+                    (whom.empty() ? "" : " and what " + whom + " asks of it stays open"),
+                "name a measurement of partonomy catalogue");
+        }
+    }
+
+    void look_at_relations() {
+        for (const Variable& variable : domain_.regions.variables)
+            if (variable.kind == VariableKind::relation && !variable.answerable)
+                add(FindingKind::unanswerable, true, {}, {},
+                    "no criterion tells whether \"" + to_manchester(*variable.part_class) +
+                        "\" holds, so nothing can answer it and it stays open",
+                    "give its relation a core:criterion");
+    }
+
+    void look_at_declarations() {
+        const std::map<Iri, Level> levels = find_levels(domain_.ontology, domain_.ranges);
+        for (const owl::Entity& entity : domain_.ontology.entities) {
+            const Iri& iri = entity.iri;
+            if (is_core(iri) || is_thing(iri) || is_nothing(iri)) continue;
+            const std::string name = owl::local_name(iri);
+            if (entity.kind == owl::EntityKind::klass && !levels.contains(iri))
+                add(FindingKind::left_aside, true, {iri}, entity.source,
+                    name + " is neither below core:Region nor below core:Object, so it is left aside",
+                    "put it below one of them");
+            else if (entity.kind == owl::EntityKind::klass && levels.at(iri) == Level::region &&
+                     users_of(iri).empty() && is_nameable(iri))
+                add(FindingKind::unused, false, {iri}, place_of(iri), "no object and no other concept asks for " + name,
+                    "a part can still be called by this name; leave it out if that is not meant");
+            else if ((entity.kind == owl::EntityKind::object_property ||
+                      entity.kind == owl::EntityKind::data_property) &&
+                     users_of(iri).empty() &&
+                     std::ranges::find(domain_.ranges, iri, &RangeConcept::property) == domain_.ranges.end())
+                add(FindingKind::unused, false, {iri}, entity.source, "no axiom asks for " + name,
+                    "leave it out, or use it");
+        }
+    }
+    [[nodiscard]] bool is_nameable(const Iri& iri) const {
+        const auto id = domain_.regions.find(iri);
+        return id && !domain_.regions.concepts[*id].incompatible && !domain_.regions.concepts[*id].where.is_empty();
+    }
+
+    const Domain& domain_;
+    const Theory& theory_;
+    const LintOptions& options_;
+    std::map<Iri, std::vector<std::size_t>> uses_;
+    std::vector<Finding> findings_;
+    std::size_t explained_ = 0;
+};
+
+}  // namespace
+
+std::string to_text(FindingKind kind) {
+    static const char* const words[]{"refused",           "contradiction", "unsatisfiable", "unprovable",
+                                     "indistinguishable", "unanswerable",  "unknown term",  "left aside",
+                                     "universal",         "unused",        "uncounted",     "overlapping"};
+    return words[static_cast<std::size_t>(kind)];
+}
+
+std::vector<Finding> lint(const Domain& domain, const LintOptions& options) { return Linter(domain, options).run(); }
+
+Finding why_refused(const owl::Ontology& ontology, const std::string& error) {
+    Finding finding{FindingKind::refused, true, {}, {}, error, {}, {}};
+    try {
+        const Theory theory = read_theory(ontology);
+        for (const Level level : {Level::region, Level::object}) {
+            finding.causes = causes_of_nothing(theory, level);
+            if (finding.causes.empty()) continue;
+            finding.kind = FindingKind::contradiction;
+            finding.what =
+                "the axioms leave no " + std::string(level == Level::region ? "region" : "object") + " possible";
+            finding.advice = "weaken one of these axioms";
+            finding.where = ontology.axioms[finding.causes[0].back()].source;
+            return finding;
+        }
+    } catch (const OntologyError&) {
+        finding.causes.clear();  // the theory itself is what was refused
+    }
+    // The error names its place: "file:line: sentence".
+    const std::size_t end = error.find(": ");
+    const std::size_t colon = end == std::string::npos ? end : error.rfind(':', end - 1);
+    const std::string line = colon == std::string::npos ? "" : error.substr(colon + 1, end - colon - 1);
+    if (!line.empty() && std::ranges::all_of(line, [](char c) { return c >= '0' && c <= '9'; }) && line.size() < 10) {
+        finding.where = {error.substr(0, colon), std::stol(line)};
+        finding.what = error.substr(end + 2);
+    }
+    return finding;
+}
+
+}  // namespace partonomy::knowledge

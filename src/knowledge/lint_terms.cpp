@@ -1,0 +1,94 @@
+#include <algorithm>
+#include <set>
+
+#include "base/spelling.h"
+#include "knowledge/lint.h"
+
+// Spelling of core terms. Every name that an axiom or annotation uses is looked up among the terms that the core
+// ontology declares; a name in another namespace counts as meant for the core one when the namespace is nearly spelled
+// like it and the rest is a core term, such as "http://w3id.org/partonomy/core#Board".
+
+namespace partonomy::knowledge {
+namespace {
+
+/// Calls `visit(iri)` for every name in an axiom.
+class Names {
+public:
+    explicit Names(const std::function<void(const Iri&)>& visit) : visit_(visit) {}
+
+    void of(const owl::Axiom& axiom) const {
+        for (const owl::ClassPointer& expression : axiom.classes) of(*expression);
+        for (const owl::PropertyExpression& property : axiom.properties) visit_(property.iri);
+        if (!axiom.rule) return;
+        for (const auto* atoms : {&axiom.rule->body, &axiom.rule->head})
+            for (const owl::RuleAtom& atom : *atoms) {
+                if (atom.klass) of(*atom.klass);
+                if (!atom.property.iri.empty()) visit_(atom.property.iri);
+            }
+    }
+    void of(const owl::ClassExpression& expression) const {
+        if (!expression.iri.empty()) visit_(expression.iri);
+        if (!expression.property.iri.empty()) visit_(expression.property.iri);
+        for (const owl::ClassPointer& operand : expression.operands) of(*operand);
+    }
+
+private:
+    const std::function<void(const Iri&)>& visit_;
+};
+
+}  // namespace
+
+void for_each_name(const owl::Axiom& axiom, const std::function<void(const Iri&)>& visit) { Names(visit).of(axiom); }
+
+std::vector<Finding> unknown_terms(const owl::Ontology& ontology) {
+    static const owl::Ontology core = owl::parse_ontology(owl::core_ontology_text(), "core.ttl");
+    std::set<Iri> terms;
+    for (const owl::Entity& entity : core.entities) terms.insert(entity.iri);
+    const std::string prefix = owl::core_prefix;
+    const auto nearest = [&](const std::string& name) {
+        const Iri* best = nullptr;
+        std::size_t least = 0;
+        for (const Iri& term : terms) {
+            if (!term.starts_with(prefix)) continue;
+            const std::size_t distance = edit_distance(name, owl::local_name(term));
+            if (best == nullptr || distance < least) {
+                best = &term;
+                least = distance;
+            }
+        }
+        return owl::local_name(*best);
+    };
+    std::vector<Finding> findings;
+    std::set<Iri> seen;
+    const auto look_at = [&](const Iri& iri, const owl::Source& where) {
+        if (terms.contains(iri) || iri.empty() || !seen.insert(iri).second) return;
+        const std::string name = owl::local_name(iri);
+        const std::string space = iri.substr(0, iri.size() - name.size());
+        if (space == prefix) {
+            if (name.empty()) return;
+            findings.push_back({FindingKind::unknown_term,
+                                true,
+                                {iri},
+                                where,
+                                "core:" + name + " is no term of the core ontology",
+                                "did you mean core:" + nearest(name) + "?",
+                                {}});
+        } else if (terms.contains(prefix + name) && edit_distance(space, prefix) <= 3) {
+            findings.push_back({FindingKind::unknown_term,
+                                true,
+                                {iri},
+                                where,
+                                "<" + iri + "> is not in the namespace of the core ontology",
+                                "did you mean <" + prefix + name + ">?",
+                                {}});
+        }
+    };
+    for (const owl::Axiom& axiom : ontology.axioms)
+        for_each_name(axiom, [&](const Iri& iri) { look_at(iri, axiom.source); });
+    for (const auto& [entity, annotations] : ontology.annotations)
+        for (const owl::Annotation& annotation : annotations) look_at(annotation.property, annotation.source);
+    for (const owl::Entity& entity : ontology.entities) look_at(entity.iri, entity.source);
+    return findings;
+}
+
+}  // namespace partonomy::knowledge

@@ -1,0 +1,239 @@
+/* Explanations and corrections as questions to a SAT solver.
+
+   The object and its regions become clauses with a selector for each axiom (object_clauses.h); the literal of an answer
+   is its own selector; further parts may be there unless "there are no other parts" says otherwise. Add that the goal
+   does not hold: then a minimal conflict is a minimal explanation, all conflicts are all explanations, and a cheapest
+   correction among the answers, with all axioms switched on, is a cheapest set of answers to turn round: in every
+   object that remains each of them is the other way, or it would not have been needed (explanations.h).
+
+   Only the goal's cone is written down. Cost: one solver with some hundred variables a region, and a call of it for
+   each axiom and answer in the first conflict that it finds; furniture takes a millisecond. */
+
+#include "knowledge/reasons.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <stdexcept>
+
+#include "knowledge/assembly.h"
+#include "knowledge/object_clauses.h"
+
+namespace partonomy::knowledge {
+namespace {
+
+bool is_in(const Space& space, const ConfigurationSet& set, const Iri& iri) {
+    const std::optional<ConceptId> id = space.find(iri);
+    return id && !set.is_empty() && set.is_subset_of(space.concepts[*id].where);
+}
+
+/// What is to be explained, and where.
+struct Goal {
+    int id = -1;                  ///< concept of the theory, -1 for a contradiction
+    Level level = Level::object;  ///< region: the goal is about `regions` alone
+    std::vector<int> regions;     ///< whose answers count
+};
+
+std::vector<int> all_but_empty(const std::vector<ConfigurationSet>& regions) {
+    std::vector<int> result;
+    for (std::size_t r = 0; r < regions.size(); ++r)
+        if (!regions[r].is_empty()) result.push_back(static_cast<int>(r));
+    return result;
+}
+
+/// Throws std::invalid_argument unless it follows.
+Goal find_goal(const Domain& domain, const Conclusions& known, const Iri& iri, int region) {
+    Goal goal;
+    if (iri.empty()) {
+        for (std::size_t r = 0; r < known.regions.size(); ++r)
+            if (known.regions[r].is_empty()) goal.regions.push_back(static_cast<int>(r));
+        goal.level = goal.regions.empty() ? Level::object : Level::region;
+        if (goal.regions.empty()) goal.regions = all_but_empty(known.regions);
+        if (known.contradiction) return goal;
+    } else {
+        goal.id = domain.grounding->theory.find(iri);
+        goal.regions = all_but_empty(known.regions);
+        if (is_in(domain.objects, known.object, iri)) return goal;
+        goal.level = Level::region;
+        for (const int r : goal.regions)
+            if ((region < 0 || r == region) && is_in(domain.regions, known.regions[r], iri)) {
+                goal.regions = {r};
+                return goal;
+            }
+    }
+    throw std::invalid_argument("explain: " + (iri.empty() ? std::string("a contradiction") : iri) +
+                                " does not follow from what is known");
+}
+
+/// The literal of an answer about a part.
+int literal_of(const Domain& domain, ObjectClauses& object, std::size_t part, const Answer& answer) {
+    const Theory& theory = domain.grounding->theory;
+    const auto variable = static_cast<std::size_t>(answer.question.variable);
+    int literal = 0;
+    if (variable >= theory.feature_count())
+        literal = object.region_concept(part, theory.find(domain.regions.variables[variable].iri));
+    else if (variable >= theory.ranges.size() && variable < theory.ranges.size() + theory.numbers.size())
+        literal = object.up_to(part, variable, answer.question.value);
+    else
+        literal = object.value(part, variable, answer.question.value);
+    return answer.yes ? literal : -literal;
+}
+
+/// An object in which the goal fails, with what speaks against that as selectors.
+class Reasons {
+public:
+    enum class Kind { completeness, axiom, answer };
+    struct Element {
+        Kind kind;
+        std::size_t index;
+    };
+
+    Reasons(const Domain& domain, const Knowledge& knowledge, const Goal& goal)
+        : theory_(domain.grounding->theory), object_(theory_) {
+        std::map<int, std::size_t> parts;
+        for (const int region : goal.regions) parts[region] = object_.add_region();
+        if (goal.level == Level::object)
+            object_.add_further_parts(
+                parts_that_help(theory_, goal.id < 0 ? std::vector<int>{} : std::vector{goal.id}));
+        object_.require_constraints(Level::region);
+        if (goal.level == Level::object) {
+            object_.require_constraints(Level::object);
+            if (goal.id >= 0) object_.clauses.add({-object_.object_concept(goal.id)});
+        } else if (goal.id >= 0) {
+            object_.clauses.add({-object_.region_concept(0, goal.id)});
+        }
+        std::vector<int> literals(knowledge.answers.size(), 0);
+        for (std::size_t i = 0; i < literals.size(); ++i)
+            if (const auto part = parts.find(knowledge.answers[i].region); part != parts.end())
+                literals[i] = literal_of(domain, object_, part->second, knowledge.answers[i]);
+
+        if (knowledge.complete && goal.level == Level::object) add(Kind::completeness, 0, object_.no_further_parts());
+        const std::vector<char> own = defining_axioms(theory_, goal.id, domain.ontology.axioms.size());
+        for (const std::size_t axiom : object_.axioms())
+            if (!own[axiom]) add(Kind::axiom, axiom, object_.selector(axiom));
+        first_answer_ = elements_.size();
+        for (std::size_t i = 0; i < literals.size(); ++i)
+            if (literals[i] != 0) add(Kind::answer, i, literals[i]);
+        for (const std::size_t axiom : object_.axioms())
+            if (own[axiom]) add(Kind::axiom, axiom, object_.selector(axiom));
+    }
+
+    /// One explanation, without completeness and axioms from elsewhere when that is possible.
+    [[nodiscard]] Explanation one() const {
+        Solver solver(object_.clauses);
+        std::size_t begin = 0;
+        for (const std::size_t later : {first_answer_, std::size_t{!elements_.empty()}})
+            if (begin == 0 && later > 0 && conflicts(solver, later)) begin = later;
+        const auto set = minimal_conflict(solver, std::span(selectors_).subspan(begin));
+        if (!set) throw std::logic_error("explain: the clauses do not entail what the layers do");
+        return explanation(*set, begin);
+    }
+
+    [[nodiscard]] Explanations all(const ExplanationOptions& options) const {
+        Solver solver(object_.clauses);
+        const RankedSets found = all_conflicts(solver, selectors_, options).conflicts;
+        Explanations result;
+        result.is_complete = found.is_complete;
+        for (const RankedSet& each : found.sets) result.sets.push_back(explanation(each.set, 0));
+        return result;
+    }
+
+private:
+    void add(Kind kind, std::size_t index, int literal) {
+        elements_.push_back({kind, index});
+        selectors_.push_back({literal, 1});
+    }
+    [[nodiscard]] bool conflicts(Solver& solver, std::size_t begin) const {
+        std::vector<int> literals;
+        for (std::size_t i = begin; i < selectors_.size(); ++i) literals.push_back(selectors_[i].literal);
+        return solver.solve(literals) == Verdict::unsatisfiable;
+    }
+    [[nodiscard]] Explanation explanation(const SelectorSet& set, std::size_t begin) const {
+        Explanation result;
+        for (const std::size_t i : set) {
+            const Element& element = elements_[begin + i];
+            if (element.kind == Kind::completeness) result.needs_completeness = true;
+            if (element.kind == Kind::axiom) result.axioms.push_back(element.index);
+            if (element.kind == Kind::answer) result.answers.push_back(element.index);
+        }
+        std::ranges::sort(result.axioms);
+        return result;
+    }
+
+    const Theory& theory_;
+    ObjectClauses object_;
+    std::vector<Element> elements_;
+    std::vector<Selector> selectors_;
+    std::size_t first_answer_ = 0;
+};
+
+}  // namespace
+
+Explanation one_reason(const Domain& domain, const Knowledge& knowledge, const Iri& concept_iri, int region) {
+    Goal goal = find_goal(domain, conclude(domain, knowledge), concept_iri, region);
+    if (goal.id < 0 && goal.level == Level::region) goal.regions.resize(1);  // one contradiction is enough
+    return Reasons(domain, knowledge, goal).one();
+}
+
+Explanations all_reasons(const Domain& domain, const Knowledge& knowledge, const Iri& concept_iri, int region,
+                         const ExplanationOptions& options) {
+    Goal goal = find_goal(domain, conclude(domain, knowledge), concept_iri, region);
+    if (goal.id < 0) {  // within one region, or between them
+        goal.level = Level::object;
+        goal.regions.resize(static_cast<std::size_t>(knowledge.region_count));
+        std::iota(goal.regions.begin(), goal.regions.end(), 0);
+    }
+    return Reasons(domain, knowledge, goal).all(options);
+}
+
+std::vector<Correction> cheapest_changes(const Domain& domain, const Knowledge& knowledge, const Iri& concept_iri,
+                                         const std::vector<double>& costs, int region,
+                                         const ExplanationOptions& options) {
+    const Conclusions known = conclude(domain, knowledge);
+    const Goal goal = find_goal(domain, known, concept_iri, region);
+    const Theory& theory = domain.grounding->theory;
+    std::vector<int> unwanted;  // concepts of the object that must not hold
+    if (goal.id >= 0 && goal.level == Level::object) unwanted.push_back(goal.id);
+    for (const Concept& each : domain.objects.concepts)
+        if (each.incompatible && !is_in(domain.objects, known.object, each.iri))
+            unwanted.push_back(theory.find(each.iri));
+
+    ObjectClauses object(theory, false);
+    std::map<int, std::size_t> parts;
+    const bool has_goal = goal.id >= 0;
+    for (int r = 0; r < knowledge.region_count; ++r)
+        if (!has_goal || !known.regions[r].is_empty()) parts[r] = object.add_region();
+    if (!knowledge.complete) object.add_further_parts(parts_that_help(theory, unwanted));
+    object.require_constraints(Level::region);
+    object.require_constraints(Level::object);
+    if (has_goal && goal.level == Level::region)
+        object.clauses.add({-object.region_concept(parts.at(goal.regions[0]), goal.id)});
+    if (has_goal && goal.level == Level::object) object.clauses.add({-object.object_concept(goal.id)});
+    std::vector<int> others;  // that must not hold either, if that is possible
+    for (const int id : unwanted)
+        if (id != goal.id) others.push_back(-object.object_concept(id));
+    for (const Concept& each : domain.regions.concepts)
+        if (each.incompatible)
+            for (const auto& [r, part] : parts)
+                if (!is_in(domain.regions, known.regions[r], each.iri))
+                    others.push_back(-object.region_concept(part, theory.find(each.iri)));
+    std::vector<Selector> selectors;
+    std::vector<std::size_t> indices;
+    for (std::size_t i = 0; i < costs.size(); ++i)
+        if (const auto part = parts.find(knowledge.answers[i].region); part != parts.end()) {
+            selectors.push_back({literal_of(domain, object, part->second, knowledge.answers[i]), costs[i]});
+            indices.push_back(i);
+        }
+
+    Solver solver(object.clauses);
+    if (solver.solve(others) == Verdict::satisfiable) solver.require(others);
+    std::vector<Correction> found;
+    if (solver.solve() == Verdict::unsatisfiable) return found;
+    for (const RankedSet& each : cheapest_corrections(solver, selectors, options).sets) {
+        found.push_back({{}, each.weight});
+        for (const std::size_t i : each.set) found.back().answers.push_back(indices[i]);
+    }
+    return found;
+}
+
+}  // namespace partonomy::knowledge

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "knowledge/explain.h"
+#include "knowledge/theory.h"
+
+// Inside of the knowledge folder: explanations and corrections by a SAT solver, for theories that ObjectClauses can
+// express. What the functions promise stands in explain.h.
+
+namespace partonomy::knowledge {
+
+/// Axioms that define the goal (a concept of the theory), and what its definition rests on, as flags by axiom.
+[[nodiscard]] std::vector<char> defining_axioms(const Theory& theory, int goal, std::size_t axiom_count);
+
+[[nodiscard]] Explanation one_reason(const Domain& domain, const Knowledge& knowledge, const Iri& concept_iri,
+                                     int region);
+[[nodiscard]] Explanations all_reasons(const Domain& domain, const Knowledge& knowledge, const Iri& concept_iri,
+                                       int region, const ExplanationOptions& options);
+[[nodiscard]] std::vector<Correction> cheapest_changes(const Domain& domain, const Knowledge& knowledge,
+                                                       const Iri& concept_iri, const std::vector<double>& costs,
+                                                       int region, const ExplanationOptions& options);
+
+}  // namespace partonomy::knowledge

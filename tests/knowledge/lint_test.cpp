@@ -1,0 +1,201 @@
+#include "knowledge/lint.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <set>
+
+#include "base/errors.h"
+#include "mini.h"
+
+using namespace partonomy;
+using namespace partonomy::knowledge;
+
+namespace {
+
+/// Findings of one kind, in order.
+std::vector<Finding> of_kind(const std::vector<Finding>& findings, FindingKind kind) {
+    std::vector<Finding> result;
+    std::ranges::copy_if(findings, std::back_inserter(result), [&](const Finding& each) { return each.kind == kind; });
+    return result;
+}
+
+std::vector<std::string> names(const Finding& finding) {
+    std::vector<std::string> result;
+    for (const Iri& iri : finding.concepts) result.push_back(owl::local_name(iri));
+    return result;
+}
+
+CompileOptions compiled() {
+    CompileOptions options;
+    options.listing_limit = 0;
+    return options;
+}
+
+using mini::both;
+using mini::name;
+using mini::some;
+
+/// Faults of every kind about regions; axiom n is on line n.
+mini::Ontology faulty() {
+    mini::Ontology ontology = mini::shapes();  // lines 1 to 8
+    ontology
+        .same("Seat", both({some("hasShape", "Board"), some("hasOrientation", "Vertical")}))        // 9
+        .sub(some("hasShape", "Board"), some("hasOrientation", "Horizontal"))                       // 10
+        .sub("Leg", "Region")                                                                       // 11
+        .sub(name("Leg"), some("hasShape", "Stick"))                                                // 12
+        .same("Top", both({name("Leg"), some("hasOrientation", "Horizontal")}))                     // 13
+        .same("A", some("hasShape", "Cube"))                                                        // 14
+        .same("B", mini::no(mini::either({some("hasShape", "Board"), some("hasShape", "Stick")})))  // 15
+        .same("Upright", some("hasOrientation", "Vertical"))                                        // 16
+        .same("Chair", both({some("hasPart", "Seat"), some("hasPart", "Top")}))                     // 17
+        .same("Table", both({some("hasPart", "A"), some("hasPart", "B"), some("hasPart", "Upright")}));
+    return ontology;
+}
+
+}  // namespace
+
+TEST(Lint, NamesFaultsWithPlacesAndCauses) {
+    for (const CompileOptions& options : {CompileOptions{}, compiled()}) {
+        const Domain domain = compile(faulty().result, options);
+        ASSERT_EQ(domain.regions.diagram != nullptr, options.listing_limit == 0);
+        const std::vector<Finding> findings = lint(domain);
+
+        const auto unsatisfiable = of_kind(findings, FindingKind::unsatisfiable);
+        ASSERT_EQ(unsatisfiable.size(), 2U);  // Seat, and Chair that has one
+        EXPECT_EQ(names(unsatisfiable[0]), (std::vector<std::string>{"Seat"}));
+        EXPECT_TRUE(unsatisfiable[0].is_wrong);
+        EXPECT_EQ(unsatisfiable[0].where.line, 9);
+        EXPECT_EQ(unsatisfiable[0].what, "no region can ever be a Seat");
+        EXPECT_EQ(unsatisfiable[0].causes, (std::vector<std::vector<std::size_t>>{{8, 9}}));
+        EXPECT_EQ(unsatisfiable[1].causes, (std::vector<std::vector<std::size_t>>{{8, 9, 16}}));
+
+        const auto unprovable = of_kind(findings, FindingKind::unprovable);
+        ASSERT_EQ(unprovable.size(), 2U);
+        EXPECT_EQ(unprovable[0].where.line, 11);
+        EXPECT_EQ(unprovable[0].what + "; " + unprovable[0].advice,
+                  "Leg has only necessary conditions, so no region can ever be proved to be a Leg; did you mean "
+                  "EquivalentTo?");
+        EXPECT_EQ(unprovable[1].advice, "give Leg an EquivalentTo");
+
+        const auto alike = of_kind(findings, FindingKind::indistinguishable);
+        ASSERT_EQ(alike.size(), 1U);
+        EXPECT_EQ(names(alike[0]), (std::vector<std::string>{"A", "B"}));
+        EXPECT_TRUE(alike[0].is_wrong);
+
+        const auto overlapping = of_kind(findings, FindingKind::overlapping);
+        ASSERT_EQ(overlapping.size(), 2U);
+        EXPECT_FALSE(overlapping[0].is_wrong);
+        EXPECT_EQ(names(overlapping[0]), (std::vector<std::string>{"A", "Upright"}));
+        // What is wrong comes first.
+        EXPECT_TRUE(std::ranges::is_sorted(findings, {}, [](const Finding& each) { return !each.is_wrong; }));
+    }
+}
+
+TEST(Lint, WhatNoAlgorithmAnswers) {
+    mini::Ontology ontology = mini::shapes();
+    ontology.range("Stuff", {"Oak", "Pine", "Steel"})
+        .measured("width")
+        .same("Wooden", mini::some("hasStuff", mini::either({mini::name("Oak"), mini::name("Pine")})))
+        .same("Wide", mini::number("width", {{"minInclusive", "1"}}))
+        .same("Chair", mini::both({mini::some("hasPart", "Wooden"), mini::some("hasPart", "Wide")}));
+    const Domain domain = compile(ontology.result);
+    LintOptions options;
+    std::set<int> missing;  // values of Stuff without an algorithm
+    options.can_answer = [&](Question question) { return question.variable != 2 || !missing.contains(question.value); };
+    const auto found = [&] { return of_kind(lint(domain, options), FindingKind::unanswerable); };
+    ASSERT_EQ(found().size(), 1U);
+    EXPECT_EQ(found()[0].what,
+              "width has no core:measure, so nothing can answer it and what Wide asks of it stays open");
+    missing = {0};  // what is neither pine nor steel is oak
+    EXPECT_EQ(found().size(), 1U);
+    missing = {0, 1};
+    ASSERT_EQ(found().size(), 2U);
+    EXPECT_EQ(
+        found()[0].what,
+        "no algorithm can tell whether the Stuff of a region is Oak or Pine, so what Wooden asks of it stays open");
+    EXPECT_TRUE(found()[0].is_wrong);
+    const auto unused = of_kind(lint(domain, options), FindingKind::unused);
+    ASSERT_FALSE(unused.empty());
+    EXPECT_EQ(unused[0].what, "no axiom asks for Board, Cube and Stick of Shape") << unused[0].what;
+}
+
+TEST(Lint, SynonymsAreARemark) {
+    mini::Ontology ontology = mini::shapes();
+    ontology.same("Leg", mini::some("hasShape", "Stick"))
+        .same("Foot", mini::name("Leg"))
+        .same("Chair", mini::both({mini::some("hasPart", "Leg"), mini::some("hasPart", "Foot")}));
+    const auto alike = of_kind(lint(compile(ontology.result)), FindingKind::indistinguishable);
+    ASSERT_EQ(alike.size(), 1U);
+    EXPECT_FALSE(alike[0].is_wrong);
+}
+
+TEST(Lint, UnknownCoreTerms) {
+    mini::Ontology ontology = mini::shapes();
+    ontology.same("Leg", mini::some("hasShape", "Stick"));
+    EXPECT_TRUE(unknown_terms(ontology.result).empty());
+    ontology.result.annotations[mini::iri("Leg")].push_back(
+        {std::string(owl::core_prefix) + "colour", {"#ff0000", "", ""}, "", {"mini.ttl", 77}});
+    auto other = mini::name("Leg");
+    auto moved = std::make_shared<owl::ClassExpression>(*other);
+    moved->iri = "http://w3id.org/partonomy/core#Board";
+    ontology.sub(moved, mini::name("Leg"));
+    const std::vector<Finding> found = unknown_terms(ontology.result);
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_EQ(found[0].where.line, 10);
+    EXPECT_EQ(found[0].advice, "did you mean <https://w3id.org/partonomy/core#Board>?");
+    EXPECT_EQ(found[1].where.line, 77);
+    EXPECT_EQ(found[1].what + "; " + found[1].advice,
+              "core:colour is no term of the core ontology; did you mean core:color?");
+}
+
+TEST(Lint, WhyAnOntologyIsRefused) {
+    mini::Ontology ontology = mini::shapes();
+    ontology.same("Chair", some("hasPart", "Thing"))
+        .sub(name("Region"), some("hasShape", "Board"))
+        .sub(name("Region"), some("hasOrientation", "Vertical"))
+        .sub(some("hasShape", "Board"), name("Nothing"));
+    std::string error;
+    try {
+        (void)compile(ontology.result);
+    } catch (const OntologyError& e) {
+        error = e.what();
+    }
+    EXPECT_TRUE(error.starts_with("mini.ttl:12: ")) << error;
+    EXPECT_NE(error.find("mini.ttl:10"), std::string::npos) << error;
+    EXPECT_EQ(error.find("mini.ttl:11"), std::string::npos) << "not to blame: " << error;
+    const Finding finding = why_refused(ontology.result, error);
+    EXPECT_EQ(finding.kind, FindingKind::contradiction);
+    EXPECT_EQ(finding.causes, (std::vector<std::vector<std::size_t>>{{9, 11}}));
+    const Finding refused = why_refused(mini::shapes().sub("Board", "Stick").result, "mini.ttl:9: something is wrong");
+    EXPECT_EQ(refused.kind, FindingKind::refused);
+    EXPECT_EQ(refused.where.line, 9);
+    EXPECT_EQ(refused.what, "something is wrong");
+}
+
+TEST(Lint, IsQuickOnAThousandConcepts) {
+    mini::Ontology ontology;
+    for (int i = 0; i < 500; ++i) {
+        const std::string n = std::to_string(i);
+        ontology.range("F" + n, {"yes" + n, "no" + n});
+    }
+    const auto has = [](int i, bool yes) {
+        const std::string n = std::to_string(i);
+        return some("hasF" + n, (yes ? "yes" : "no") + n);
+    };
+    for (int i = 0; i + 3 < 500; ++i)
+        ontology.sub(both({name("Region"), has(i, true), has(i + 1, false)}),
+                     mini::either({has(i + 2, true), has(i + 3, true)}));
+    for (int i = 0; i + 2 < 500; ++i) {
+        const std::string n = std::to_string(i);
+        ontology.same("P" + n, both({has(i, true), has(i + 1, i % 2 == 0)}))
+            .same("Q" + n, both({has(i + 1, i % 2 == 0), has(i, true)}));
+    }
+    ontology.same("Chair", some("hasPart", "P0"));
+    const Domain domain = compile(ontology.result);
+    ASSERT_NE(domain.regions.diagram, nullptr);
+    const auto start = std::chrono::steady_clock::now();
+    const std::vector<Finding> findings = lint(domain);
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+    EXPECT_EQ(of_kind(findings, FindingKind::indistinguishable).size(), 498U);
+}
