@@ -17,6 +17,7 @@
 #include "base/errors.h"
 #include "base/files.h"
 #include "expert/annotate.h"
+#include "expert/place.h"
 #include "mesh/read_mesh.h"
 #include "report/write.h"
 #include "report/write_all.h"
@@ -108,13 +109,37 @@ Input read_input(const Arguments& arguments, const std::string& mesh_path) {
     Stopwatch watch;
     LoadedMesh loaded = read_mesh(mesh_path);
     const double read_ms = watch.lap();
-    const Placement placement{parse_up(arguments.up), parse_unit(arguments.unit)};
+    const Vec3 up = arguments.up == "auto" ? resting_up(loaded.mesh) : parse_up(arguments.up);
+    const Placement placement{up, parse_unit(arguments.unit)};
     return {make_object(std::move(loaded.mesh), placement, arguments.threads), std::move(loaded.report),
             std::move(loaded.sha256), read_ms};
 }
 
-Annotation annotate_file(const Arguments& arguments, const Knowhow& knowhow, const Input& input,
+/// What was found of up axis and unit, also as the first lines of the trace.
+void tell(const Placing& placing, const Arguments& arguments, double ms, Annotation& annotation) {
+    annotation.up = placing.up;
+    annotation.unit = placing.unit;
+    annotation.up_confidence = placing.up_confidence;
+    annotation.unit_confidence = placing.unit_confidence;
+    annotation.timings_ms.emplace_back("find up and unit", ms);
+    std::vector<TraceEntry> found;
+    if (arguments.up == "auto")
+        found.push_back({"auto", "which axis points up", "mesh", placing.up, placing.up_confidence, {}, ms});
+    if (arguments.unit == "auto")
+        found.push_back({"auto", "which unit is it in", "mesh", placing.unit, placing.unit_confidence, {}, 0});
+    annotation.trace.insert(annotation.trace.begin(), found.begin(), found.end());
+}
+
+Annotation annotate_file(const Arguments& arguments, const Knowhow& knowhow, Input& input,
                          const std::string& mesh_path, const fs::path& folder, const Progress& progress) {
+    Stopwatch watch;
+    std::optional<Placing> placing;
+    if (arguments.up == "auto" || arguments.unit == "auto") {
+        progress.show(fmt::format("{}: placing", mesh_path));
+        placing = find_placement(knowhow.domain, knowhow.catalogue, input.object,
+                                 {arguments.up, arguments.unit, arguments.threads});
+    }
+    const double placing_ms = watch.lap();
     progress.show(fmt::format("{}: asking", mesh_path));
     const Object& object = input.object;
     Annotation annotation = annotate(knowhow.domain, knowhow.catalogue, object,
@@ -130,6 +155,7 @@ Annotation annotate_file(const Arguments& arguments, const Knowhow& knowhow, con
     annotation.ontology_sha256 = knowhow.sha256;
     annotation.up = arguments.up;
     annotation.unit = object.placement.metres_per_unit ? arguments.unit : "unknown";
+    if (placing) tell(*placing, arguments, placing_ms, annotation);
     annotation.strategy = arguments.strategy;
 
     progress.show(fmt::format("{}: writing", mesh_path));
@@ -165,7 +191,7 @@ bool is_recognised(const Annotation& annotation) {
 }
 
 int run_annotate(const Arguments& arguments) {
-    static_cast<void>(parse_up(arguments.up));
+    if (arguments.up != "auto") static_cast<void>(parse_up(arguments.up));
     static_cast<void>(parse_unit(arguments.unit));
     static_cast<void>(parse_strategy(arguments.strategy));
     static_cast<void>(parse_criterion(arguments.criterion));
@@ -197,7 +223,7 @@ int run_annotate(const Arguments& arguments) {
             const std::string& mesh = arguments.meshes[i];
             progress.show(fmt::format("{}: reading", mesh));
             if (i == 0 && first_error) std::rethrow_exception(first_error);
-            const Input input = i == 0 ? *std::exchange(first, std::nullopt) : read_input(arguments, mesh);
+            Input input = i == 0 ? *std::exchange(first, std::nullopt) : read_input(arguments, mesh);
             const Annotation annotation = annotate_file(arguments, knowhow, input, mesh, folders[i], progress);
             progress.show("");
             if (!arguments.quiet) {
@@ -226,9 +252,10 @@ void add_annotate_command(CLI::App& app, Run& run) {
     command
         .add_option("-o,--output", arguments->output, "folder to write to; each mesh gets a folder of its own in it")
         ->capture_default_str();
-    command.add_option("--up", arguments->up, "axis that points up: x, -x, y, -y, z, -z")->capture_default_str();
+    command.add_option("--up", arguments->up, "axis that points up: x, -x, y, -y, z, -z; auto finds it")->capture_default_str();
     command
-        .add_option("--unit", arguments->unit, "unit of the file: m, cm, mm, in; auto leaves questions of size open")
+        .add_option("--unit", arguments->unit,
+                    "unit of the file: m, cm, mm, in; auto finds it, or leaves questions of size open")
         ->capture_default_str();
     command.add_option("--strategy", arguments->strategy, "expert, naive or segment-then-identify")
         ->capture_default_str();

@@ -27,6 +27,7 @@ using knowledge::Question;
 using knowledge::Variable;
 using knowledge::VariableKind;
 
+constexpr double read_off_cost = 0.01;  ///< of what is known once the region is cut: core:cost 0, and numbers
 constexpr double find_all_cost = 20;  ///< one `find all` against one `is a`: it browses the whole mesh (paper §5.2.3)
 
 constexpr double related_cost = 2;  ///< T, some of them: it looks at other regions, too
@@ -119,8 +120,12 @@ Catalogue make_catalogue(const Domain& domain) {
                                                     "regions of the box-like partition with " + method,
                                                     find_all_cost,
                                                     needs_metres});
-                catalogue.algorithms.push_back(
-                    {Signature::is_a, {v, i}, name, method, value.cost.value_or(1), needs_metres});
+                catalogue.algorithms.push_back({Signature::is_a,
+                                                {v, i},
+                                                name,
+                                                method,
+                                                std::max(read_off_cost, value.cost.value_or(1)),
+                                                needs_metres});
             }
         } else if (variable.kind == VariableKind::number) {
             const knowledge::MeasuredProperty& number = domain.numbers[static_cast<std::size_t>(variable.index)];
@@ -131,7 +136,7 @@ Catalogue make_catalogue(const Domain& domain) {
                 const std::string name = fmt::format("{} {} {}", owl::local_name(number.iri),
                                                      interval.high_closed ? "<=" : "<", interval.high);
                 catalogue.algorithms.push_back(
-                    {Signature::is_a, {v, i}, name, number.measure, 1, measure.needs_metres});
+                    {Signature::is_a, {v, i}, name, number.measure, read_off_cost, measure.needs_metres});
             }
         }
     }
@@ -170,6 +175,7 @@ std::optional<double> is_a(const Domain& domain, Question question, const Object
             const std::optional<double> x = evaluate(*measure, object, region);
             if (!x) return std::nullopt;
             score = std::min(score, Trapezoid{c.a1, c.a2, c.a3, c.a4}(*x));
+            if (score == 0) break;
         }
         return score;
     }

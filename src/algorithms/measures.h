@@ -14,6 +14,7 @@ struct Measure {
     const char* unit;  ///< "1", "degrees", "m", "m2"
     const char* description;
     bool needs_metres;
+    bool needs_rays;  ///< measured only when a question needs it
     double (*value)(const Object&, const RegionMeasurements&);  ///< lengths in metres when needs_metres
 };
 

@@ -11,12 +11,14 @@
 
 #include "algorithms/object.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
 
 #include "base/errors.h"
+#include "shape/hull_area.h"
 
 namespace partonomy {
 namespace {
@@ -50,6 +52,22 @@ double trimmed_end(std::vector<std::pair<double, double>>& ends, double spare) {
     return ends.back().first;
 }
 
+/// Extent along up, and the area of the convex outline seen from above. Cleaning left no vertex without a triangle.
+void stand(Object& object) {
+    object.low = std::numeric_limits<double>::infinity();
+    object.high = -object.low;
+    const Vec3 x = object.placement.up.unitOrthogonal(), y = object.placement.up.cross(x);
+    std::vector<Eigen::Vector2d> plan;
+    plan.reserve(object.mesh.positions.size());
+    for (const Vec3& position : object.mesh.positions) {
+        const double z = position.dot(object.placement.up);
+        object.low = std::min(object.low, z);
+        object.high = std::max(object.high, z);
+        plan.emplace_back(position.dot(x), position.dot(y));
+    }
+    object.footprint = hull_area(std::move(plan));
+}
+
 }  // namespace
 
 Vec3 parse_up(const std::string& word) {
@@ -75,20 +93,24 @@ Object make_object(TriangleMesh mesh, const Placement& placement, int threads) {
     object.mesh = std::move(mesh);
     object.geometry = compute_geometry(object.mesh);
     object.placement = placement;
-    object.low = std::numeric_limits<double>::infinity();
-    object.high = -object.low;
-    for (const auto& triangle : object.mesh.triangles)
-        for (const int v : triangle) {
-            const double z = object.mesh.positions[static_cast<std::size_t>(v)].dot(placement.up);
-            object.low = std::min(object.low, z);
-            object.high = std::max(object.high, z);
-        }
+    stand(object);
     object.candidates = find_parts(object.mesh, {placement.up, threads}, &object.times);
     return object;
 }
 
+void place(Object& object, const Placement& placement) {
+    object.placement = placement;
+    stand(object);
+}
+
+void cut(Object& object, int threads) {
+    object.candidates = find_parts(object.mesh, {object.placement.up, threads, object.tree}, &object.times);
+}
+
 RegionMeasurements measure_region(const Object& object, const PartRegion& part) {
     RegionMeasurements result;
+    result.triangles = part.region.triangles;
+    double upward = 0, downward = 0;
     result.lengths = part.box.lengths;
     result.inclination = inclination_of(part.box, object.placement.up);
     std::vector<std::pair<double, double>> lows, highs;
@@ -101,9 +123,12 @@ RegionMeasurements measure_region(const Object& object, const PartRegion& part) 
         }
         const double area = object.geometry.areas[static_cast<std::size_t>(t)];
         result.area += area;
+        const double plan = area * object.geometry.normals[static_cast<std::size_t>(t)].dot(object.placement.up);
+        (plan > 0 ? upward : downward) += std::abs(plan);
         lows.emplace_back(low, area);
         highs.emplace_back(-high, area);
     }
+    result.plan_area = std::max(upward, downward);
     if (!lows.empty()) {
         result.low = trimmed_end(lows, stray_area_fraction * result.area);
         result.high = -trimmed_end(highs, stray_area_fraction * result.area);

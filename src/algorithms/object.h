@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,6 +30,7 @@ struct Object {
     TriangleGeometry geometry;
     Placement placement;
     double low = 0, high = 0;            ///< extent along up, in file units
+    double footprint = 0;                ///< area of its shadow on the ground, without notches; squared file units
     std::vector<PartRegion> candidates;  ///< box-like regions of find_parts: what every `find all` chooses from
     StageTimes times;                    ///< of finding them
 };
@@ -35,14 +38,34 @@ struct Object {
 /// Measures the mesh and cuts it into candidate regions. Needs no ontology. threads <= 0: all cores.
 [[nodiscard]] Object make_object(TriangleMesh mesh, const Placement& placement, int threads = 1);
 
+/// Stands the object with another side up, or measures it in another unit; its regions stay as they were cut.
+void place(Object& object, const Placement& placement);
+
+/// Cuts the object into candidate regions again, after it was placed otherwise. Up matters in the corners of flush boards.
+void cut(Object& object, int threads = 1);
+
+/// What is above and below a region, seen from points spread evenly over its upper side.
+struct Surroundings {
+    double open_above = 0;  ///< share of the points that nothing of the object is above
+    double room_above = 0;  ///< share of the points that have room above them: a tenth of the object's height, or the sky
+    double room_below = 0;  ///< how far down the object is empty below them: 0 filled to the ground, 1 nothing there
+};
+
 /// What is measured on one region, once; all questions read from it.
 struct RegionMeasurements {
     Vec3 lengths;              ///< l0 >= l1 >= l2 of the box, in file units
     double inclination = 0;    ///< degrees in [0, 90], see docs/elementary-algorithms.md
     double low = 0, high = 0;  ///< extent along up, in file units; a stray hundredth of the area does not count
     double area = 0;           ///< squared file units
+    double plan_area = 0;      ///< of the upper side, seen from above; squared file units
+    std::span<const std::int32_t> triangles;  ///< of the region; the object's candidates own them
+    mutable std::optional<Surroundings> surroundings;  ///< once a question needed them: look_around
 };
 
+/// `part` is one of the object's candidates, and must outlive the result.
 [[nodiscard]] RegionMeasurements measure_region(const Object& object, const PartRegion& part);
+
+/// Shoots some rays up and down, the first time that it is called for a region.
+[[nodiscard]] const Surroundings& look_around(const Object& object, const RegionMeasurements& region);
 
 }  // namespace partonomy

@@ -67,11 +67,12 @@ std::vector<Iri> specific_first(const Domain& domain, const std::vector<Iri>& ir
     return sorted;
 }
 
-std::string display_color(const Domain& domain, const Iri& iri) {
+/// The value of core:`name` at a concept; empty when it has none.
+std::string annotation_of(const Domain& domain, const Iri& iri, const char* name) {
     const auto found = domain.ontology.annotations.find(iri);
     if (found == domain.ontology.annotations.end()) return {};
     for (const owl::Annotation& annotation : found->second)
-        if (annotation.property == std::string(owl::core_prefix) + "color") return annotation.literal.value;
+        if (annotation.property == std::string(owl::core_prefix) + name) return annotation.literal.value;
     return {};
 }
 
@@ -90,12 +91,14 @@ AnnotatedPart make_part(const Session& session, int region, const ConfigurationS
             if (possible.is_subset_of(domain.regions.holds[v][i]))
                 part.features[owl::local_name(variable.iri)] = variable.values[i];
     }
+    const RegionMeasurements& measured = session.measurements(region);
     for (const Measure& measure : all_measures())
-        if (const auto value = evaluate(measure, session.object(), session.measurements(region)))
-            part.measurements[measure.name] = *value;
+        if (!measure.needs_rays || measured.surroundings)
+            if (const auto value = evaluate(measure, session.object(), measured))
+                part.measurements[measure.name] = *value;
     const double metres = session.object().placement.metres_per_unit.value_or(1);
-    part.area = session.measurements(region).area * metres * metres;
-    if (!concepts.empty()) part.color = display_color(domain, concepts.front());
+    part.area = measured.area * metres * metres;
+    if (!concepts.empty()) part.color = annotation_of(domain, concepts.front(), "color");
     return part;
 }
 
@@ -267,7 +270,8 @@ Annotation annotate(const Domain& domain, const Catalogue& catalogue, const Obje
     std::vector<Iri> classes;
     for (const ConceptId c : entailed(domain.objects, assumed.object)) {
         const Iri& iri = domain.objects.concepts[static_cast<std::size_t>(c)].iri;
-        if (!iri.starts_with(owl::core_prefix)) classes.push_back(iri);
+        if (!iri.starts_with(owl::core_prefix) && annotation_of(domain, iri, "helper") != "true")
+            classes.push_back(iri);
     }
     annotation.all_classes = local_names(classes);
     annotation.classes = local_names(domain.most_specific(classes));
@@ -275,8 +279,8 @@ Annotation annotate(const Domain& domain, const Catalogue& catalogue, const Obje
     const knowledge::Knowledge knowledge = session.knowledge();
     annotation.is_complete = knowledge.complete;
     for (const auto& [a, b] : knowledge.connected) annotation.connected.emplace_back(a + 1, b + 1);
-    annotation.diagnosis = diagnose(session, known);
-    annotation.consistent = annotation.diagnosis.empty();
+    if (options.diagnose) annotation.diagnosis = diagnose(session, known);
+    annotation.consistent = !known.contradiction && known.diagnoses.empty() && annotation.diagnosis.empty();
     annotation.open_questions = open_questions(session, namings);
     if (!session.trace.empty() && !annotation.classes.empty())
         session.trace.back().inferred.push_back("the object is " +

@@ -8,6 +8,7 @@ namespace partonomy {
 struct AnnotateOptions {
     Strategy strategy = Strategy::expert;
     knowledge::SplitCriterion criterion = knowledge::SplitCriterion::gain_per_cost;
+    bool diagnose = true;  ///< false: `consistent` is told, but not why
 };
 
 /// Cuts and names the parts of an object, recognises it, and says what is wrong with it (paper §3.3.2, §5.1.2).

@@ -71,6 +71,7 @@ struct Annotation {
     std::vector<std::string> mesh_notes;  ///< what cleaning found
     std::string ontology_iri, ontology_file, ontology_sha256;
     std::string up, unit;  ///< as used: "z", "m"; unit "unknown" when not known
+    double up_confidence = 1, unit_confidence = 1;  ///< [0, 1]; 1 when the user told it
     std::string strategy;
     std::vector<std::string> classes;      ///< most specific object classes, incompatible ones included
     std::vector<std::string> all_classes;  ///< every class that holds

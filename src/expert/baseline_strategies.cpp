@@ -1,7 +1,8 @@
 /* The two strategies that the paper compares its expert system with (§5.2.3, Table 3). Both ask, of every region, one
  * `is a` for each elementary concept but the last of its range, which is deduced; of those asked the best score is
  * believed. They differ in where regions come from: `naive` runs the `find all` of every shape, so shapes need no `is
- * a`; `segment then identify` takes the regions of a segmentation and asks for the shapes too. */
+ * a`; `segment then identify` takes the regions of a segmentation and asks for the shapes too. What a region's measures
+ * tell by themselves is not asked (Session::is_measured). */
 
 #include <algorithm>
 
@@ -36,22 +37,9 @@ void identify_all(Session& session, bool ask_what_find_all_tells) {
     const auto& variables = session.domain().regions.variables;
     for (int region = 0; region < session.region_count(); ++region)
         for (int v = 0; v < static_cast<int>(variables.size()); ++v)
-            if (variables[static_cast<std::size_t>(v)].kind == VariableKind::range &&
+            if (variables[static_cast<std::size_t>(v)].kind == VariableKind::range && !session.is_measured(v) &&
                 (ask_what_find_all_tells || !has_find_all(session, v)))
                 identify(session, region, v);
-}
-
-/// Numbers that axioms mention are no elementary concepts: they are asked only where a name still hangs on them.
-void ask_open_numbers(Session& session) {
-    knowledge::PlanOptions plan;
-    plan.wanted = session.wanted();
-    plan.cost = [&](Question question) -> std::optional<double> {
-        const auto& variable = session.domain().regions.variables[static_cast<std::size_t>(question.variable)];
-        return variable.kind == VariableKind::number ? session.is_a_cost(question) : std::nullopt;
-    };
-    for (int region = 0; region < session.region_count(); ++region)
-        while (const auto question = best_question(session.domain().regions, session.possible(region), plan))
-            if (!session.ask(region, *question)) break;
 }
 
 }  // namespace
@@ -63,14 +51,12 @@ void run_naive(Session& session) {
             if (session.find_all_cost({v, i})) session.find_all({v, i});
     session.adopt_rest();
     identify_all(session, false);
-    ask_open_numbers(session);
     name_by_relations(session, knowledge::SplitCriterion::gain_per_cost);
 }
 
 void run_segment_then_identify(Session& session) {
     session.adopt_rest();
     identify_all(session, true);
-    ask_open_numbers(session);
     name_by_relations(session, knowledge::SplitCriterion::gain_per_cost);
 }
 

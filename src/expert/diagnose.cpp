@@ -23,6 +23,7 @@ using knowledge::Knowledge;
 using owl::Iri;
 
 constexpr std::size_t most_corrections = 8;  // that are listed for one diagnosis
+constexpr int most_parts_explained = 24;  // beyond, a minimal explanation takes longer than all the rest
 
 const Iri incompatible = std::string(owl::core_prefix) + "Incompatible";
 
@@ -41,6 +42,10 @@ public:
             diagnosis.parts = {region + 1};
         else if (!iri.empty())
             for (const int culprit : culprits(domain_, knowledge_, iri)) diagnosis.parts.push_back(culprit + 1);
+        if (region < 0 && !iri.empty() && session_.region_count() > most_parts_explained) {
+            blame(iri, diagnosis);
+            return diagnosis;
+        }
         try {
             tell(explain(domain_, knowledge_, iri, region), diagnosis);
             correct(iri, region, diagnosis);
@@ -57,6 +62,21 @@ private:
         if (explanation.needs_completeness) diagnosis.answers.emplace_back(no_other_parts);
         for (const std::size_t i : explanation.axioms)
             diagnosis.axioms.push_back(axiom_in_words(domain_.ontology.axioms[i]));
+    }
+
+    /// All answers about the parts to blame, and the definition.
+    void blame(const Iri& iri, Diagnosis& diagnosis) const {
+        for (std::size_t i = 0; i < knowledge_.answers.size(); ++i) {
+            const knowledge::Answer& answer = knowledge_.answers[i];
+            if (answer.yes && std::ranges::find(diagnosis.parts, answer.region + 1) != diagnosis.parts.end())
+                diagnosis.answers.push_back(answer_in_words(domain_, answer, session_.answer_scores()[i]));
+        }
+        const auto is_concept = [&](const owl::ClassPointer& each) {
+            return each->kind == owl::ClassKind::named && each->iri == iri;
+        };
+        for (const owl::Axiom& axiom : domain_.ontology.axioms)
+            if (axiom.kind == owl::AxiomKind::equivalent_classes && std::ranges::any_of(axiom.classes, is_concept))
+                diagnosis.axioms.push_back(axiom_in_words(axiom));
     }
 
     void correct(const Iri& iri, int region, Diagnosis& diagnosis) const {

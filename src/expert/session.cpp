@@ -32,6 +32,10 @@ const std::string shape_iri = std::string(owl::core_prefix) + "Shape";
 
 std::string region_name(int region) { return fmt::format("part {}", region + 1); }
 
+bool is_free(const knowledge::RangeConcept& range) {
+    return std::ranges::all_of(range.values, [](const auto& value) { return value.cost && *value.cost == 0; });
+}
+
 std::vector<ConceptId> wanted_concepts(const Space& space) {
     std::vector<ConceptId> wanted;
     for (ConceptId c = 0; c < static_cast<ConceptId>(space.concepts.size()); ++c) {
@@ -56,6 +60,10 @@ Session::Session(const knowledge::Domain& domain, const Catalogue& catalogue, co
     }
     for (const double area : object_.geometry.areas) total += area;
     uncovered_fraction_ = total > 0 ? std::max(0.0, 1 - covered / total) : 0;
+    for (const knowledge::Variable& variable : domain.regions.variables)
+        measured_.push_back(variable.kind == knowledge::VariableKind::number ||
+                            (variable.kind == knowledge::VariableKind::range &&
+                             is_free(domain.ranges[static_cast<std::size_t>(variable.index)])));
 }
 
 int Session::add_region(Candidate candidate) {
@@ -63,7 +71,33 @@ int Session::add_region(Candidate candidate) {
     measurements_.push_back(candidate.measurements);
     possible_.push_back(domain_.regions.all());
     shape_scores_.push_back(1);
-    return region_count() - 1;
+    const int region = region_count() - 1;
+    for (std::size_t v = 0; v < measured_.size(); ++v)
+        if (measured_[v]) read_off(region, static_cast<int>(v));
+    return region;
+}
+
+/// Learns which value of a range scores best, or that none is likely; or between which two of its limits a number lies.
+void Session::read_off(int region, int variable) {
+    const knowledge::Variable& about = domain_.regions.variables[index(variable)];
+    const bool is_number = about.kind == knowledge::VariableKind::number;
+    std::vector<std::pair<Question, double>> scores;
+    for (int i = 0; i < static_cast<int>(about.values.size()); ++i) {
+        const Question question{variable, i};
+        const ElementaryAlgorithm* algorithm = catalogue_.find(Signature::is_a, question);
+        if (!algorithm) continue;
+        const auto score = is_a(domain_, question, object_, measurements(region));
+        if (!score) return;  // no unit
+        scores.emplace_back(question, *score);
+        if (is_number && *score >= 0.5) break;
+    }
+    if (scores.empty()) return;
+    const auto best = std::max_element(scores.begin(), scores.end(),
+                                       [](const auto& a, const auto& b) { return a.second < b.second; });
+    if (best->second >= 0.5) learn(region, best->first, true, best->second);
+    if (best->second < 0.5 || is_number)
+        for (const auto& [question, score] : scores)
+            if (score < 0.5) learn(region, question, false, 1 - score);
 }
 
 int Session::find_all(Question question) {

@@ -40,6 +40,10 @@ public:
     /// TF: finds which regions touch, where the ontology has composite parts. Only the first call does anything.
     void find_connections();
 
+    /// Whether the values of a variable are read off a region as soon as it is cut, so that no question is asked: numbers,
+    /// and range concepts whose values all cost 0.
+    [[nodiscard]] bool is_measured(int variable) const { return measured_[index(variable)] != 0; }
+
     [[nodiscard]] bool has_rest() const { return !rest_.empty(); }
     [[nodiscard]] const knowledge::ConfigurationSet& rest_possible() const { return rest_possible_; }
     [[nodiscard]] int region_count() const { return static_cast<int>(parts_.size()); }
@@ -83,6 +87,7 @@ private:
     /// T, counted and traced; what was asked before is not asked again.
     std::optional<double> relate(const knowledge::RelationTuple& tuple);
     const RegionPlace& place(int region);
+    void read_off(int region, int variable);
     /// What is known of a region now and was not in `before`, in words; not the answer to `asked` itself.
     [[nodiscard]] std::vector<std::string> consequences(int region, const knowledge::ConfigurationSet& before,
                                                         knowledge::Question asked) const;
@@ -92,6 +97,7 @@ private:
     const Object& object_;
     double uncovered_fraction_ = 0;
     std::vector<knowledge::ConceptId> wanted_;
+    std::vector<char> measured_;  ///< by variable of regions
 
     std::vector<Candidate> rest_;  ///< candidate regions that no question has cut out
     knowledge::ConfigurationSet rest_possible_;

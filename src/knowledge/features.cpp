@@ -97,8 +97,8 @@ ElementaryConcept read_value(const owl::Ontology& ontology, const Iri& iri) {
             has_membership = true;
         } else if (annotation.property == core_term("cost")) {
             value.cost = to_number(annotation.literal.value);
-            if (!value.cost || !(*value.cost > 0) || std::isinf(*value.cost))
-                refuse_knob(annotation, iri, "should be a number above 0");
+            if (!value.cost || !(*value.cost >= 0) || std::isinf(*value.cost))
+                refuse_knob(annotation, iri, "should be a number above 0, or 0 for what is read off");
         }
     }
     if (!measure.empty() && !has_membership)

@@ -1,9 +1,8 @@
 #include <algorithm>
 #include <bit>
 #include <limits>
-#include <map>
 #include <numeric>
-#include <unordered_set>
+#include <span>
 
 #include "base/errors.h"
 #include "knowledge/theory.h"
@@ -13,10 +12,70 @@
 // whoever has a compact seat has a seat. Which combinations some set of parts realises is found without listing such
 // sets. Configurations of a region that no part class tells apart are one *type* of part. Counts per class matter up to
 // the highest threshold only, so a vector of capped counts fits a word, and adding parts one after the other reaches
-// all the vectors there are: a walk over a graph whose nodes are vectors and whose steps are types. Cost: (reachable
-// vectors) x (types) x (classes); furniture has 10 classes, and the walk takes well under a millisecond.
+// all the vectors there are; since the order does not matter, all of one type come before all of the next. Cost: at most
+// (reachable vectors) x (types) x (classes of a type).
 
 namespace partonomy::knowledge {
+namespace {
+
+/// Counts seen so far; a hash table in one piece.
+class CountSet {
+public:
+    /// False when it was there already.
+    bool insert(Counts counts) {
+        if (2 * (size_ + 1) > slots_.size()) grow();
+        if (!place(counts)) return false;
+        ++size_;
+        return true;
+    }
+
+private:
+    static constexpr Counts free = ~Counts{0};  // no count is as high as that in all classes
+
+    bool place(Counts counts) {
+        std::size_t at = static_cast<std::size_t>(counts * 0x9E3779B97F4A7C15U >> shift_);
+        for (; slots_[at] != free; at = at + 1 == slots_.size() ? 0 : at + 1)
+            if (slots_[at] == counts) return false;
+        slots_[at] = counts;
+        return true;
+    }
+    void grow() {
+        const std::vector<Counts> old = std::move(slots_);
+        slots_.assign(old.empty() ? 64 : 2 * old.size(), free);
+        shift_ = 64 - std::countr_zero(slots_.size());
+        for (const Counts counts : old)
+            if (counts != free) place(counts);
+    }
+
+    std::vector<Counts> slots_;
+    int shift_ = 0;
+    std::size_t size_ = 0;
+};
+
+/// Adds one part of a type again and again.
+class Adder {
+public:
+    Adder(const Parts& parts, const Parts::Type& type) {
+        for (const std::size_t c : type.classes) {
+            const Parts::PartClass& part = parts.classes[c];
+            const Counts mask = (Counts{1} << std::bit_width(part.cap)) - 1;
+            fields_.push_back({mask << part.shift, Counts{part.cap} << part.shift, Counts{1} << part.shift});
+        }
+    }
+    Counts operator()(Counts counts) const {
+        for (const Field& field : fields_)
+            if ((counts & field.mask) != field.full) counts += field.one;
+        return counts;
+    }
+
+private:
+    struct Field {
+        Counts mask, full, one;
+    };
+    std::vector<Field> fields_;
+};
+
+}  // namespace
 
 Counts Parts::add(Counts counts, const Type& type) const {
     for (const std::size_t c : type.classes) {
@@ -139,17 +198,21 @@ std::vector<Counts> with_one_more(const Parts& parts, const std::vector<Counts>&
 
 std::vector<Counts> with_any_more(const Parts& parts, const std::vector<Counts>& counts,
                                   const std::vector<std::size_t>& types, std::size_t limit) {
+    // Parts can be added in any order: all of the first type, then all of the second …
     std::vector<Counts> reached = counts;
-    std::unordered_set<Counts> seen(counts.begin(), counts.end());
-    for (std::size_t next = 0; next < reached.size(); ++next)
-        for (const std::size_t t : types) {
-            const Counts more = parts.add(reached[next], parts.types[t]);
-            if (!seen.insert(more).second) continue;
+    CountSet seen;
+    for (const Counts each : counts) seen.insert(each);
+    for (const std::size_t t : types) {
+        const Adder adder(parts, parts.types[t]);
+        for (std::size_t next = 0; next < reached.size(); ++next) {
+            const Counts more = adder(reached[next]);
+            if (more == reached[next] || !seen.insert(more)) continue;
             reached.push_back(more);
             if (reached.size() > limit)
                 throw OntologyError("the parts of an object combine in more than " + std::to_string(limit) +
                                     " ways; count fewer classes of parts, or to lower numbers");
         }
+    }
     std::ranges::sort(reached);
     return reached;
 }
@@ -167,10 +230,12 @@ std::vector<Counts> reachable_counts(const Parts& parts, const std::vector<Confi
 
 void prepare_beyond(const Parts& parts, ObjectLayer& objects) {
     const std::size_t n = objects.counts.size();
-    if (n * objects.layer.space.size > (std::size_t{1} << 26)) return;  // 8 MB
+    if (n * objects.layer.space.size > (std::size_t{1} << 20)) return;  // else it takes longer than all the rest
     objects.beyond.assign(n, {});
     for (std::size_t i = n; i-- > 0;) {  // one more part makes the word larger
-        ConfigurationSet set = objects.configurations[objects.row[i]];
+        ConfigurationSet set(objects.layer.space.size);
+        const auto [first, last] = objects.configurations[objects.row[i]];
+        for (std::size_t c = first; c < last; ++c) set.insert(c);
         for (const Parts::Type& type : parts.types) {
             const Counts more = parts.add(objects.counts[i], type);
             if (more == objects.counts[i]) continue;
@@ -202,7 +267,8 @@ ConfigurationSet ObjectLayer::of(const std::vector<Counts>& some) const {
         if (found != counts.end() && *found == each) wanted[row[static_cast<std::size_t>(found - counts.begin())]] = 1;
     }
     for (std::size_t r = 0; r < wanted.size(); ++r)
-        if (wanted[r]) result |= configurations[r];
+        if (wanted[r])
+            for (std::size_t i = configurations[r].first; i < configurations[r].second; ++i) result.insert(i);
     return result;
 }
 
@@ -210,19 +276,26 @@ ObjectLayer build_objects(const Theory& theory, const Scope& scope, Subject subj
                           std::vector<Counts> counts, std::size_t limit) {
     ObjectLayer objects;
     objects.counts = std::move(counts);
-    std::map<std::vector<bool>, std::size_t> rows;  // "no" of each atom, so that a yes sorts first
-    std::vector<std::map<std::vector<bool>, std::size_t>::const_iterator> row_of;  // of each of `counts`
-    for (const Counts each : objects.counts) {
-        std::vector<bool> assignment(parts.atoms.size());
-        for (std::size_t a = 0; a < parts.atoms.size(); ++a) assignment[a] = !parts.holds(each, parts.atoms[a]);
-        row_of.push_back(rows.try_emplace(std::move(assignment), 0).first);
+    // "No" of each atom, so that a yes sorts first; the bits of one assignment after those of the other.
+    const std::size_t atoms = parts.atoms.size(), words = (atoms + 63) / 64;
+    std::vector<std::uint64_t> bits(objects.counts.size() * words, 0);
+    for (std::size_t i = 0; i < objects.counts.size(); ++i)
+        for (std::size_t a = 0; a < atoms; ++a)
+            if (!parts.holds(objects.counts[i], parts.atoms[a]))
+                bits[i * words + a / 64] |= std::uint64_t{1} << (63 - a % 64);
+    const auto assignment = [&](std::size_t i) { return std::span(bits).subspan(i * words, words); };
+    std::vector<std::size_t> order(objects.counts.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::sort(order, [&](std::size_t a, std::size_t b) {
+        return words == 1 ? bits[a] < bits[b] : std::ranges::lexicographical_compare(assignment(a), assignment(b));
+    });
+    std::vector<std::size_t> assignments;  // by row: one of the counts that have it
+    objects.row.resize(objects.counts.size());
+    for (const std::size_t i : order) {
+        if (assignments.empty() || !std::ranges::equal(assignment(i), assignment(assignments.back())))
+            assignments.push_back(i);
+        objects.row[i] = assignments.size() - 1;
     }
-    std::vector<const std::vector<bool>*> assignments;
-    for (auto& [assignment, row] : rows) {
-        row = assignments.size();
-        assignments.push_back(&assignment);
-    }
-    for (const auto& found : row_of) objects.row.push_back(found->second);
 
     Layer& layer = objects.layer;
     Space& space = layer.space;
@@ -246,16 +319,17 @@ ObjectLayer build_objects(const Theory& theory, const Scope& scope, Subject subj
     space.size = assignments.size() * copies;
     space.holds.assign(space.variables.size(), std::vector<ConfigurationSet>(2, ConfigurationSet(space.size)));
     for (std::size_t i = 0; i < space.size; ++i) {
-        const std::vector<bool>& assignment = *assignments[i / copies];
-        for (std::size_t v = 0; v < assignment.size(); ++v) space.holds[v][assignment[v] ? 1 : 0].insert(i);
+        const auto no = assignment(assignments[i / copies]);
+        for (std::size_t v = 0; v < atoms; ++v) space.holds[v][no[v / 64] >> (63 - v % 64) & 1].insert(i);
         for (std::size_t p = 0; p < primitives; ++p)
-            space.holds[assignment.size() + p][(i % copies) >> (primitives - 1 - p) & 1].insert(i);
+            space.holds[atoms + p][(i % copies) >> (primitives - 1 - p) & 1].insert(i);
     }
     const ConfigurationSet allowed = close_layer(theory, scope, subject, layer);
+    std::size_t next = 0;  // configurations that are allowed, numbered anew
     for (std::size_t r = 0; r < assignments.size(); ++r) {
-        ConfigurationSet set(allowed.size());
-        for (std::size_t i = r * copies; i < (r + 1) * copies; ++i) set.insert(i);
-        objects.configurations.push_back(set.packed(allowed));
+        const std::size_t first = next;
+        for (std::size_t i = r * copies; i < (r + 1) * copies; ++i) next += allowed.has(i) ? 1 : 0;
+        objects.configurations.emplace_back(first, next);
     }
     return objects;
 }

@@ -215,7 +215,7 @@ struct ObjectLayer {
     Layer layer;
     std::vector<Counts> counts;                    ///< ascending
     std::vector<std::size_t> row;                  ///< of each of `counts`: which assignment of atoms it is
-    std::vector<ConfigurationSet> configurations;  ///< by row
+    std::vector<std::pair<std::size_t, std::size_t>> configurations;  ///< by row: first, and the one after the last
     std::vector<ConfigurationSet> beyond;          ///< by count: with any more parts, too; empty unless prepared
 
     /// The configurations that belong to any of `some`.

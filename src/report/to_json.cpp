@@ -100,7 +100,9 @@ std::string to_json(const Annotation& annotation) {
                     {"faces", annotation.mesh_faces},
                     {"triangles", annotation.part_of_triangle.size()},
                     {"up", annotation.up},
-                    {"unit", annotation.unit}};
+                    {"up_confidence", annotation.up_confidence},
+                    {"unit", annotation.unit},
+                    {"unit_confidence", annotation.unit_confidence}};
     json["mesh"]["notes"] = annotation.mesh_notes;
     json["ontology"] = {
         {"iri", annotation.ontology_iri}, {"sha256", annotation.ontology_sha256}, {"file", annotation.ontology_file}};

@@ -26,6 +26,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numeric>
 
 #include "shape/calm.h"
 #include "shape/claims.h"
@@ -78,10 +79,14 @@ std::vector<std::int32_t> vote(const Surface& s, const std::vector<std::int32_t>
     return winner;
 }
 
+constexpr double least_share = 1e-3;  // of the surface: smaller shells without a part stay without
+
 /// Keeps the largest piece of each part and gives smaller ones to the neighbour with the longest common border; pieces
-/// without a neighbour (separate shells) stay, as parts of their own.
+/// without a neighbour (separate shells) stay, as parts of their own, and so do shells in which no part was found: they
+/// may be sheets.
 void connect(const TriangleMesh& mesh, const Adjacency& adjacency, const TriangleGeometry& geometry,
              std::vector<std::int32_t>& part_of) {
+    const double total = std::accumulate(geometry.areas.begin(), geometry.areas.end(), 0.0);
     for (int round = 0; round < 8; ++round) {
         const std::size_t count = part_of.size();
         std::vector<std::int32_t> piece_of(count, -1);
@@ -134,7 +139,7 @@ void connect(const TriangleMesh& mesh, const Adjacency& adjacency, const Triangl
                 to = std::max_element(borders.begin(), borders.end(), [](const auto& a, const auto& b) {
                          return a.second != b.second ? a.second < b.second : a.first > b.first;
                      })->first;
-            } else if (part >= 0) {
+            } else if (part >= 0 || area[k] > least_share * total) {
                 to = parts++;
             } else {
                 continue;

@@ -61,4 +61,23 @@ RayTree::RayTree(const TriangleMesh& mesh, int threads) {
 
 RayTree::~RayTree() { rtcReleaseScene(scene_); }
 
+std::optional<double> RayTree::first_hit(const Vec3& origin, const Vec3& direction) const {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    const Vec3 from = place(origin);
+    RTCRayHit ray{};
+    ray.ray.org_x = static_cast<float>(from[0]);
+    ray.ray.org_y = static_cast<float>(from[1]);
+    ray.ray.org_z = static_cast<float>(from[2]);
+    ray.ray.dir_x = static_cast<float>(direction[0]);
+    ray.ray.dir_y = static_cast<float>(direction[1]);
+    ray.ray.dir_z = static_cast<float>(direction[2]);
+    ray.ray.tfar = std::numeric_limits<float>::infinity();
+    ray.ray.mask = ~0U;
+    ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    rtcIntersect1(scene_, &context, &ray);
+    if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+    return static_cast<double>(ray.ray.tfar) / scale_;
+}
+
 }  // namespace partonomy

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "mesh/triangle_mesh.h"
 
 struct RTCSceneTy;  // Embree's
@@ -19,6 +21,9 @@ public:
     /// A point of the mesh as the tree has it.
     [[nodiscard]] Vec3 place(const Vec3& point) const { return (point - middle_) * scale_; }
     [[nodiscard]] double scale() const { return scale_; }  ///< tree units per mesh unit
+
+    /// How far the first triangle is that a ray meets, from whichever side, in mesh units; the direction has length 1.
+    [[nodiscard]] std::optional<double> first_hit(const Vec3& origin, const Vec3& direction) const;
 
     /// For rtcIntersect…; primitive i is triangle i.
     [[nodiscard]] RTCSceneTy* handle() const { return scene_; }

@@ -144,13 +144,35 @@ TEST(Annotate, AFaceThatRepeatsAnotherSharesItsLabel) {
 
 TEST(Annotate, UnknownUnitLeavesSizesOpen) {
     const TemporaryFolder folder;
-    folder.write("bench.off", to_off(object("bench").mesh));
+    TriangleMesh mesh = object("bench").mesh;
+    for (Vec3& position : mesh.positions) position *= 7;  // no bench is 5 m high, nor 5 cm, 5 mm or 5 inches
+    folder.write("bench.off", to_off(mesh));
     ASSERT_NE(run_partonomy({"annotate", "bench.off", "--ontology", furniture_path(), "-o", "out", "--unit", "auto"},
                             folder.path())
                   .exit_code,
               1);
     const json annotation = json::parse(read_file(folder.path() / "out/bench/annotation.json"));
     for (const json& part : annotation.at("parts")) EXPECT_FALSE(part.at("features").contains("Modular"));
+    EXPECT_EQ(lines_of(read_file(folder.path() / "out/bench/labels.txt")), object("bench").labels);
+    EXPECT_EQ(annotation.at("mesh").at("unit"), "unknown");
+}
+
+TEST(Annotate, UpAndUnitAreFoundAndTold) {
+    const TemporaryFolder folder;
+    TriangleMesh mesh = object("bench").mesh;
+    for (Vec3& position : mesh.positions) position = 1000 * Vec3(position.y(), position.z(), position.x());  // y up, mm
+    folder.write("bench.off", to_off(mesh));
+    const ProgramResult result = run_partonomy(
+        {"annotate", "bench.off", "--ontology", furniture_path(), "-o", "out", "--up", "auto", "--unit", "auto"},
+        folder.path());
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    const json annotation = json::parse(read_file(folder.path() / "out/bench/annotation.json"));
+    EXPECT_EQ(annotation.at("mesh").at("up"), "y");
+    EXPECT_EQ(annotation.at("mesh").at("unit"), "mm");
+    EXPECT_GT(annotation.at("mesh").at("up_confidence"), 0.5);
+    EXPECT_GT(annotation.at("mesh").at("unit_confidence"), 0.7);
+    EXPECT_EQ(annotation.at("trace").at(0).at("kind"), "auto");
+    EXPECT_EQ(annotation.at("object").at("classes"), json({"Bench"}));
     EXPECT_EQ(lines_of(read_file(folder.path() / "out/bench/labels.txt")), object("bench").labels);
 }
 

@@ -1,0 +1,58 @@
+/* A shelf of two boards, one above the other, and what is above and below them. */
+
+#include <gtest/gtest.h>
+
+#include "algorithms/measures.h"
+
+namespace partonomy {
+namespace {
+
+void add_box(TriangleMesh& mesh, const Vec3& low, const Vec3& high) {
+    const auto first = static_cast<std::int32_t>(mesh.positions.size());
+    for (int i = 0; i < 8; ++i)
+        mesh.positions.emplace_back((i & 1) ? high.x() : low.x(), (i & 2) ? high.y() : low.y(),
+                                    (i & 4) ? high.z() : low.z());
+    for (const auto& [a, b, c] : std::initializer_list<std::array<std::int32_t, 3>>{{0, 2, 3},
+                                                                                    {0, 3, 1},
+                                                                                    {4, 5, 7},
+                                                                                    {4, 7, 6},
+                                                                                    {0, 1, 5},
+                                                                                    {0, 5, 4},
+                                                                                    {2, 6, 7},
+                                                                                    {2, 7, 3},
+                                                                                    {0, 4, 6},
+                                                                                    {0, 6, 2},
+                                                                                    {1, 3, 7},
+                                                                                    {1, 7, 5}})
+        mesh.triangles.push_back({first + a, first + b, first + c});
+}
+
+TEST(Surroundings, OfTwoBoards) {
+    TriangleMesh mesh;
+    add_box(mesh, {0, 0, 0.5}, {2, 1, 0.55});   // the lower one
+    add_box(mesh, {0, 0, 0.95}, {2, 1, 1.0});   // the upper one, as large
+    add_box(mesh, {2, 0, 0}, {2.1, 0.1, 0.2});  // what makes the ground lower
+    mesh.input_face_count = static_cast<std::int32_t>(mesh.triangles.size());
+    for (std::int32_t t = 0; t < mesh.input_face_count; ++t) mesh.input_faces.push_back(t);
+    const Object object = make_object(mesh, {});
+    EXPECT_NEAR(object.footprint, 2 * 1 + 0.1 * 0.1 + 0.5 * 0.1 * 0.9, 1e-9);
+    int boards = 0;
+    for (const PartRegion& part : object.candidates) {
+        const RegionMeasurements region = measure_region(object, part);
+        if (region.plan_area < 1) continue;
+        ++boards;
+        EXPECT_NEAR(region.plan_area, 2, 1e-9);
+        EXPECT_FALSE(region.surroundings.has_value());
+        const Surroundings& around = look_around(object, region);
+        const bool is_upper = region.high > 0.9;
+        EXPECT_EQ(around.open_above, is_upper ? 1 : 0);
+        EXPECT_EQ(around.room_above, 1);  // 0.4 m, more than a tenth of the height
+        EXPECT_NEAR(around.room_below, is_upper ? 0.5 / 1.0 : 0.5 / 0.55, 1e-4);
+        EXPECT_NEAR(find_measure("extent")->value(object, region), 0.05, 1e-9);
+        EXPECT_NEAR(find_measure("footprint share")->value(object, region), 2 / object.footprint, 1e-9);
+    }
+    EXPECT_EQ(boards, 2);
+}
+
+}  // namespace
+}  // namespace partonomy
