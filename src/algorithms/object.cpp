@@ -94,7 +94,8 @@ Object make_object(TriangleMesh mesh, const Placement& placement, int threads) {
     object.geometry = compute_geometry(object.mesh);
     object.placement = placement;
     stand(object);
-    object.candidates = find_parts(object.mesh, {placement.up, threads}, &object.times);
+    object.tree = std::make_shared<const RayTree>(object.mesh, threads);
+    object.candidates = find_parts(object.mesh, {placement.up, threads, object.tree}, &object.times);
     return object;
 }
 

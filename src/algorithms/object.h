@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -29,10 +30,11 @@ struct Object {
     TriangleMesh mesh;
     TriangleGeometry geometry;
     Placement placement;
-    double low = 0, high = 0;            ///< extent along up, in file units
-    double footprint = 0;                ///< area of its shadow on the ground, without notches; squared file units
-    std::vector<PartRegion> candidates;  ///< box-like regions of find_parts: what every `find all` chooses from
-    StageTimes times;                    ///< of finding them
+    double low = 0, high = 0;             ///< extent along up, in file units
+    double footprint = 0;                 ///< area of its shadow on the ground, without notches; squared file units
+    std::vector<PartRegion> candidates;   ///< box-like regions of find_parts: what every `find all` chooses from
+    StageTimes times;                     ///< of finding them
+    std::shared_ptr<const RayTree> tree;  ///< of the mesh
 };
 
 /// Measures the mesh and cuts it into candidate regions. Needs no ontology. threads <= 0: all cores.
@@ -41,13 +43,15 @@ struct Object {
 /// Stands the object with another side up, or measures it in another unit; its regions stay as they were cut.
 void place(Object& object, const Placement& placement);
 
-/// Cuts the object into candidate regions again, after it was placed otherwise. Up matters in the corners of flush boards.
+/// Cuts the object into candidate regions again, after it was placed otherwise. Up matters in the corners of flush
+/// boards.
 void cut(Object& object, int threads = 1);
 
 /// What is above and below a region, seen from points spread evenly over its upper side.
 struct Surroundings {
     double open_above = 0;  ///< share of the points that nothing of the object is above
-    double room_above = 0;  ///< share of the points that have room above them: a tenth of the object's height, or the sky
+    double room_above =
+        0;  ///< share of the points that have room above them: a tenth of the object's height, or the sky
     double room_below = 0;  ///< how far down the object is empty below them: 0 filled to the ground, 1 nothing there
 };
 
@@ -58,7 +62,7 @@ struct RegionMeasurements {
     double low = 0, high = 0;  ///< extent along up, in file units; a stray hundredth of the area does not count
     double area = 0;           ///< squared file units
     double plan_area = 0;      ///< of the upper side, seen from above; squared file units
-    std::span<const std::int32_t> triangles;  ///< of the region; the object's candidates own them
+    std::span<const std::int32_t> triangles;           ///< of the region; the object's candidates own them
     mutable std::optional<Surroundings> surroundings;  ///< once a question needed them: look_around
 };
 

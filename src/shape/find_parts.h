@@ -1,10 +1,12 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "mesh/triangle_mesh.h"
 #include "shape/oriented_box.h"
+#include "shape/ray_tree.h"
 #include "shape/region.h"
 
 namespace partonomy {
@@ -20,6 +22,7 @@ struct PartRegion {
 struct FindPartsOptions {
     Vec3 up = Vec3::UnitZ();
     int threads = 1;
+    std::shared_ptr<const RayTree> tree = nullptr;  ///< of the mesh, where there is one already
 };
 
 /// What find_parts spends its time on, in milliseconds, in the order of work.

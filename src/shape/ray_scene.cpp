@@ -31,11 +31,12 @@ float just_behind(float distance) { return std::nextafter(distance * 1.000001F, 
 
 }  // namespace
 
-RayScene::RayScene(const TriangleMesh& mesh, int threads) : RayScene(mesh, nullptr, threads) {}
+RayScene::RayScene(const TriangleMesh& mesh, int threads) : RayScene(mesh, nullptr, nullptr, threads) {}
 
-RayScene::RayScene(const TriangleMesh& mesh, const Refinement* refinement, int threads)
+RayScene::RayScene(const TriangleMesh& mesh, std::shared_ptr<const RayTree> tree, const Refinement* refinement,
+                   int threads)
     : mesh_(mesh),
-      tree_(mesh, threads),
+      tree_(tree ? std::move(tree) : std::make_shared<const RayTree>(mesh, threads)),
       refinement_(refinement && !refinement->rounds.empty() ? refinement : nullptr) {}
 
 struct RayScene::Met {
@@ -54,14 +55,14 @@ std::optional<WallHit> RayScene::judge(const InnerRay& ray, const Met& met) cons
     // A wall that is nearly parallel to the ray has no exact crossing with its plane.
     const double exact = normal.dot(a - ray.origin) / along;
     const bool is_usable = along * along > 1e-6 * normal.squaredNorm() && exact >= 0;
-    const double distance = is_usable ? exact : static_cast<double>(met.distance) / tree_.scale();
+    const double distance = is_usable ? exact : static_cast<double>(met.distance) / tree_->scale();
     const auto u = static_cast<double>(met.u), v = static_cast<double>(met.v);
     return WallHit{static_cast<float>(distance),
                    refinement_ ? refinement_->piece_at(met.triangle, u, v) : met.triangle};
 }
 
 WallHit RayScene::exit_wall(const InnerRay& ray) const {
-    const Eigen::Vector3f start = tree_.place(ray.origin).cast<float>(), direction = ray.direction.cast<float>();
+    const Eigen::Vector3f start = tree_->place(ray.origin).cast<float>(), direction = ray.direction.cast<float>();
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     float near = first_distance(ray);
@@ -77,7 +78,7 @@ WallHit RayScene::exit_wall(const InnerRay& ray) const {
         shot.ray.tfar = infinity;
         shot.ray.mask = ~0U;
         shot.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-        rtcIntersect1(tree_.handle(), &context, &shot);
+        rtcIntersect1(tree_->handle(), &context, &shot);
         if (shot.hit.geomID == RTC_INVALID_GEOMETRY_ID) break;
         const Met met{static_cast<std::int32_t>(shot.hit.primID), shot.ray.tfar, shot.hit.u, shot.hit.v};
         if (const auto hit = judge(ray, met)) return *hit;
@@ -97,7 +98,7 @@ void RayScene::exit_walls(std::span<const InnerRay> rays, std::span<WallHit> hit
     alignas(64) std::array<int, most> open{};  // -1 for rays that go on
     for (std::size_t i = 0; i < most; ++i) {
         const InnerRay& ray = rays[std::min(i, rays.size() - 1)];  // Embree looks at closed lanes, too
-        const Eigen::Vector3f start = tree_.place(ray.origin).cast<float>();
+        const Eigen::Vector3f start = tree_->place(ray.origin).cast<float>();
         const Eigen::Vector3f direction = ray.direction.cast<float>();
         shots.ray.org_x[i] = start.x();
         shots.ray.org_y[i] = start.y();
@@ -118,7 +119,7 @@ void RayScene::exit_walls(std::span<const InnerRay> rays, std::span<WallHit> hit
     std::ranges::fill(hits, WallHit{infinity, -1});
     std::size_t going = rays.size();
     for (int passed = 0; passed < max_passed_walls && going > 0; ++passed) {
-        rtcIntersect16(open.data(), tree_.handle(), &context, &shots);
+        rtcIntersect16(open.data(), tree_->handle(), &context, &shots);
         for (std::size_t i = 0; i < rays.size(); ++i) {
             if (open[i] == 0) continue;
             std::optional<WallHit> hit = WallHit{infinity, -1};

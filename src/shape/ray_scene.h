@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 
@@ -28,9 +29,10 @@ public:
     /// Builds the tree; threads <= 0: all cores. Hits are the same on any number of threads. The mesh must outlive
     /// this.
     explicit RayScene(const TriangleMesh& mesh, int threads = 1);
-    /// With a refinement of the mesh (or nullptr): rays meet the few large triangles of `mesh`, but `self` and hits are
-    /// told in the small ones of the refinement, which must outlive this.
-    RayScene(const TriangleMesh& mesh, const Refinement* refinement, int threads);
+    /// With a tree of the mesh that is already there (or nullptr), and a refinement (or nullptr): rays meet the few
+    /// large triangles of `mesh`, but `self` and hits are told in the small ones of the refinement, which must outlive
+    /// this.
+    RayScene(const TriangleMesh& mesh, std::shared_ptr<const RayTree> tree, const Refinement* refinement, int threads);
 
     /// The first wall that the ray leaves the solid through: the triangle's front looks along `direction`. Walls met
     /// from outside and the triangle that the ray starts on are passed.
@@ -45,7 +47,7 @@ private:
     struct Met;
     [[nodiscard]] std::optional<WallHit> judge(const InnerRay& ray, const Met& met) const;
     const TriangleMesh& mesh_;
-    RayTree tree_;
+    std::shared_ptr<const RayTree> tree_;
     const Refinement* refinement_;
 };
 
