@@ -8,7 +8,7 @@
 // (region_space.cpp), what composite parts there are and what objects count (assembly.cpp), the space of one object
 // (object_space.cpp); then what the expert should know about it. A space only holds what the axioms allow; what an
 // Incompatible concept forbids stays in it and is left out of `possible`, so that an impossible object can be
-// recognised and explained. Furniture has 9,072 and 8,136 configurations.
+// recognised and explained. Furniture takes about 1 ms: 2 ranges of 5 words and a few hundred object configurations.
 
 namespace partonomy::knowledge {
 namespace {

@@ -9,7 +9,7 @@
 // A layer starts as the Cartesian product of its variables (paper §3.2.3, Fig. 5), one bit per combination: the first
 // variable varies slowest, so the bits of "variable v has value k" are runs of equal length. Every concept is then
 // evaluated with one sweep of word operations per node of its definition, the constraints are met, and what violates
-// them is packed away. Cost: (formula nodes) x (product / 64) word operations; furniture has a product of 9072: 142
+// them is packed away. Cost: (formula nodes) x (product / 64) word operations; furniture has a product of 288 and so 5
 // words. A product beyond the listing limit is not listed but compiled (compiled_space.cpp).
 
 namespace partonomy::knowledge {

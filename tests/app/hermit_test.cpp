@@ -46,6 +46,11 @@ TEST(Hierarchy, EqualsHermits) {
     expect_hermits_hierarchy({PARTONOMY_SOURCE_DIR "/ontologies/core.ttl", furniture_path()}, furniture_path());
 }
 
+TEST(Hierarchy, OfHouseholdEqualsHermits) {
+    const std::string path = PARTONOMY_SOURCE_DIR "/ontologies/household.ttl";
+    expect_hermits_hierarchy({PARTONOMY_SOURCE_DIR "/ontologies/core.ttl", path}, path);
+}
+
 TEST(Hierarchy, OfCompositePartsEqualsHermits) {
     const std::string path = PARTONOMY_SOURCE_DIR "/ontologies/furniture-headrest.omn";
     const TemporaryFolder folder;

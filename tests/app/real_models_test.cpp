@@ -25,7 +25,8 @@ TEST(RealModels, ASampleIsAnnotatedOrRefusedWithAReasonInTime) {
         SCOPED_TRACE(entry.path().filename());
         ++models;
         const auto start = std::chrono::steady_clock::now();
-        const ProgramResult result = run_partonomy({"annotate", entry.path().string(), "--ontology", furniture_path(),
+        const ProgramResult result = run_partonomy({"annotate", entry.path().string(), "--ontology",
+                                                    PARTONOMY_SOURCE_DIR "/ontologies/household.ttl",
                                                     "--up", "y", "--format", "json,labels", "-o", "out"},
                                                    folder.path());
         EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
