@@ -21,7 +21,6 @@
 #include "mesh/read_mesh.h"
 #include "report/write.h"
 #include "report/write_all.h"
-#include "shape/ranges.h"
 
 namespace partonomy::app {
 namespace {
@@ -130,8 +129,8 @@ void tell(const Placing& placing, const Arguments& arguments, double ms, Annotat
     annotation.trace.insert(annotation.trace.begin(), found.begin(), found.end());
 }
 
-Annotation annotate_file(const Arguments& arguments, const Knowhow& knowhow, Input& input,
-                         const std::string& mesh_path, const fs::path& folder, const Progress& progress) {
+Annotation annotate_file(const Arguments& arguments, const Knowhow& knowhow, Input& input, const std::string& mesh_path,
+                         const fs::path& folder, const Progress& progress) {
     Stopwatch watch;
     std::optional<Placing> placing;
     if (arguments.up == "auto" || arguments.unit == "auto") {
@@ -200,10 +199,8 @@ int run_annotate(const Arguments& arguments) {
     const Progress progress(arguments.quiet);
     // Cutting a mesh needs no ontology: with a thread to spare, the ontology is read while the first mesh is cut.
     progress.show("reading " + arguments.ontology.path + " and " + arguments.meshes.front());
-    std::future<Knowhow> loading = std::async(arguments.threads == 1 ? std::launch::deferred : std::launch::async, [&] {
-        start_threads(arguments.threads);
-        return load(arguments.ontology);
-    });
+    std::future<Knowhow> loading = std::async(arguments.threads == 1 ? std::launch::deferred : std::launch::async,
+                                              [&] { return load(arguments.ontology); });
     if (arguments.threads == 1) loading.wait();
     std::optional<Input> first;
     std::exception_ptr first_error;
@@ -252,7 +249,8 @@ void add_annotate_command(CLI::App& app, Run& run) {
     command
         .add_option("-o,--output", arguments->output, "folder to write to; each mesh gets a folder of its own in it")
         ->capture_default_str();
-    command.add_option("--up", arguments->up, "axis that points up: x, -x, y, -y, z, -z; auto finds it")->capture_default_str();
+    command.add_option("--up", arguments->up, "axis that points up: x, -x, y, -y, z, -z; auto finds it")
+        ->capture_default_str();
     command
         .add_option("--unit", arguments->unit,
                     "unit of the file: m, cm, mm, in; auto finds it, or leaves questions of size open")

@@ -13,6 +13,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -94,8 +95,11 @@ Object make_object(TriangleMesh mesh, const Placement& placement, int threads) {
     object.geometry = compute_geometry(object.mesh);
     object.placement = placement;
     stand(object);
+    const auto start = std::chrono::steady_clock::now();
     object.tree = std::make_shared<const RayTree>(object.mesh, threads);
-    object.candidates = find_parts(object.mesh, {placement.up, threads, object.tree}, &object.times);
+    object.times.emplace_back(
+        "tree", std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+    cut(object, threads);
     return object;
 }
 

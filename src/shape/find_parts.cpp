@@ -204,7 +204,7 @@ std::vector<PartRegion> find_parts(const TriangleMesh& mesh, const FindPartsOpti
     // A calmed mesh is another one: the caller's triangles are no longer what rays should meet.
     s.scene = was_rough ? std::make_unique<RayScene>(s.mesh, options.threads)
                         : std::make_unique<RayScene>(mesh, options.tree, &refinement, options.threads);
-    clock.done("tree");
+    if (was_rough || !options.tree) clock.done("tree");
     s.thickness = measure_thickness(*s.scene, s.geometry, options.threads);
     clock.done("rays");
     Cores cores = find_cores(s);

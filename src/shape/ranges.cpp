@@ -9,11 +9,6 @@
 
 namespace partonomy {
 
-void start_threads(int threads) {
-    for_each_range(
-        4, threads, [](std::size_t, std::size_t) {}, 1);
-}
-
 void for_each_range(std::size_t count, int threads, const std::function<void(std::size_t, std::size_t)>& work,
                     std::size_t grain) {
     // More than TBB has would make it warn on stderr.

@@ -5,10 +5,6 @@
 
 namespace partonomy {
 
-/// Starts the threads that for_each_range uses, which takes a millisecond: call it beside other work. Nothing for
-/// threads == 1.
-void start_threads(int threads);
-
 /// Calls work(begin, end) for pieces that cover [0, count) once. threads <= 0: all cores; 1: one call on this thread.
 /// Pieces hold about `grain` items. The work on different pieces must be independent.
 void for_each_range(std::size_t count, int threads, const std::function<void(std::size_t, std::size_t)>& work,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include "expert/annotate.h"
 
 namespace partonomy {
@@ -18,5 +20,14 @@ struct Furniture {
         return partonomy::annotate(domain, catalogue, make_object(mesh, placement), options);
     }
 };
+
+/// The paper's seven objects, and how tests of each are called.
+inline const auto paper_object_names =
+    testing::Values("bench", "bench2", "chair", "chair2", "couch", "curved-bench", "strange-object2");
+inline std::string without_dashes(const testing::TestParamInfo<std::string>& name) {
+    std::string word = name.param;
+    std::erase(word, '-');
+    return word;
+}
 
 }  // namespace partonomy

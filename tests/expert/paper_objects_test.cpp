@@ -138,14 +138,7 @@ TEST_P(PaperObject, TraceTellsEveryQuestionAndScoresAreInRange) {
     EXPECT_TRUE(annotation.open_questions.empty());
 }
 
-INSTANTIATE_TEST_SUITE_P(Table1, PaperObject,
-                         testing::Values("bench", "bench2", "chair", "chair2", "couch", "curved-bench",
-                                         "strange-object2"),
-                         [](const auto& name) {
-                             std::string word = name.param;
-                             std::erase(word, '-');
-                             return word;
-                         });
+INSTANTIATE_TEST_SUITE_P(Table1, PaperObject, paper_object_names, without_dashes);
 
 TEST(StrangeObject, TheBoardAmongTheFeetIsToBlame) {
     const ExampleObject object = paper_object("strange-object2");

@@ -64,14 +64,7 @@ TEST_P(Placed, UnitIsFoundOrLeftOpen) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Table1, Placed,
-                         testing::Values("bench", "bench2", "chair", "chair2", "couch", "curved-bench",
-                                         "strange-object2"),
-                         [](const auto& name) {
-                             std::string word = name.param;
-                             std::erase(word, '-');
-                             return word;
-                         });
+INSTANTIATE_TEST_SUITE_P(Table1, Placed, paper_object_names, without_dashes);
 
 TEST(Placing, NoUnitIsGuessedForWhatIsOfNoTypicalSize) {
     const ExampleObject object = paper_object("chair");
