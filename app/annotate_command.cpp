@@ -15,7 +15,6 @@
 
 #include "app/commands.h"
 #include "base/errors.h"
-#include "base/files.h"
 #include "expert/annotate.h"
 #include "expert/place.h"
 #include "mesh/read_mesh.h"
@@ -84,13 +83,12 @@ std::vector<fs::path> output_folders(const Arguments& arguments) {
 struct Knowhow {
     knowledge::Domain domain;
     Catalogue catalogue;
-    std::string sha256;
     double load_ms = 0;
 };
 
 Knowhow load(const OntologyArguments& ontology) {
     Stopwatch watch;
-    Knowhow knowhow{ontology.load(), {}, sha256(read_file(ontology.path)), 0};
+    Knowhow knowhow{ontology.load(), {}, 0};
     knowhow.catalogue = make_catalogue(knowhow.domain);
     knowhow.load_ms = watch.lap();
     return knowhow;
@@ -151,7 +149,7 @@ Annotation annotate_file(const Arguments& arguments, const Knowhow& knowhow, Inp
     annotation.mesh_notes = input.report.sentences();
     annotation.ontology_file = arguments.ontology.path;
     annotation.ontology_iri = knowhow.domain.ontology.iri;
-    annotation.ontology_sha256 = knowhow.sha256;
+    annotation.ontology_sha256 = knowhow.domain.ontology.sha256;
     annotation.up = arguments.up;
     annotation.unit = object.placement.metres_per_unit ? arguments.unit : "unknown";
     if (placing) tell(*placing, arguments, placing_ms, annotation);

@@ -65,9 +65,10 @@ void print_list(const char* title, const json& lines) {
 knowledge::Domain load_same_ontology(OntologyArguments arguments, const json& annotation) {
     const json& used = annotation.at("ontology");
     if (arguments.path.empty()) arguments.path = used.at("file").get<std::string>();
-    if (sha256(read_file(arguments.path)) != used.at("sha256").get<std::string>())
+    owl::Ontology ontology = arguments.read();
+    if (ontology.sha256 != used.at("sha256").get<std::string>())
         throw UsageError(at(arguments.path, 0, "is not the ontology that the mesh was annotated with; annotate again"));
-    return arguments.load();
+    return knowledge::compile(std::move(ontology), arguments.compile_options());
 }
 
 /// Every minimal explanation of every diagnosis, from the answers that the annotation keeps.

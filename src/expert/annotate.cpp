@@ -162,8 +162,7 @@ std::vector<std::string> open_questions(const Session& session, const std::vecto
     return open;
 }
 
-std::vector<LearnedAnswer> learned_answers(const Session& session) {
-    const knowledge::Knowledge knowledge = session.knowledge();
+std::vector<LearnedAnswer> learned_answers(const Session& session, const knowledge::Knowledge& knowledge) {
     std::vector<LearnedAnswer> answers;
     for (std::size_t i = 0; i < knowledge.answers.size(); ++i) {
         const knowledge::Answer& answer = knowledge.answers[i];
@@ -177,8 +176,8 @@ std::vector<LearnedAnswer> learned_answers(const Session& session) {
 }
 
 /// What follows when assumed names count as known.
-Conclusions conclude_with_assumptions(const Session& session, const Conclusions& known,
-                                      const std::vector<Naming>& namings) {
+Conclusions conclude_with_assumptions(const Session& session, const knowledge::Knowledge& knowledge,
+                                      const Conclusions& known, const std::vector<Naming>& namings) {
     const Domain& domain = session.domain();
     std::vector<ConfigurationSet> regions = known.regions;
     for (std::size_t r = 0; r < regions.size(); ++r)
@@ -186,7 +185,7 @@ Conclusions conclude_with_assumptions(const Session& session, const Conclusions&
             regions[r] &=
                 domain.regions.concepts[static_cast<std::size_t>(*domain.regions.find(namings[r].concepts.front()))]
                     .where;
-    return conclude_object(domain, session.knowledge(), std::move(regions));
+    return conclude_object(domain, knowledge, std::move(regions));
 }
 
 /// The composite parts, those of which no concept is known left out.
@@ -248,7 +247,8 @@ Annotation annotate(const Domain& domain, const Catalogue& catalogue, const Obje
 
     session.find_connections();
 
-    const Conclusions known = conclude(domain, session.knowledge());
+    const knowledge::Knowledge knowledge = session.knowledge();
+    const Conclusions known = conclude(domain, knowledge);
     std::vector<Naming> namings;
     Annotation annotation;
     annotation.part_of_triangle.assign(object.mesh.triangles.size(), -1);
@@ -265,7 +265,7 @@ Annotation annotate(const Domain& domain, const Catalogue& catalogue, const Obje
     annotation.score = area > 0 ? scored_area / area : 0;
     label_faces(object, annotation);
 
-    const Conclusions assumed = conclude_with_assumptions(session, known, namings);
+    const Conclusions assumed = conclude_with_assumptions(session, knowledge, known, namings);
     annotation.composites = composite_parts(session, assumed);
     std::vector<Iri> classes;
     for (const ConceptId c : entailed(domain.objects, assumed.object)) {
@@ -275,8 +275,7 @@ Annotation annotate(const Domain& domain, const Catalogue& catalogue, const Obje
     }
     annotation.all_classes = local_names(classes);
     annotation.classes = local_names(domain.most_specific(classes));
-    annotation.answers = learned_answers(session);
-    const knowledge::Knowledge knowledge = session.knowledge();
+    annotation.answers = learned_answers(session, knowledge);
     annotation.is_complete = knowledge.complete;
     for (const auto& [a, b] : knowledge.connected) annotation.connected.emplace_back(a + 1, b + 1);
     if (options.diagnose) annotation.diagnosis = diagnose(session, known);

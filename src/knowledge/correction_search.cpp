@@ -6,10 +6,13 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "knowledge/assembly.h"
+
 // Sets of answers come off a queue by ascending cost, then size, then place. Each set has two successors, with the
 // answers in the order of their costs: one more answer, the next after its last; or that one instead of its last. So
-// every set is met once and never before a cheaper one. A set is tried by turning its answers round and drawing the
-// conclusions, which takes microseconds; sets around one that was found are passed over.
+// every set is met once and never before a cheaper one. A set is tried by turning its answers round and asking what the
+// object may be then (object_test.h), of the regions that they are about anew; that takes a microsecond or two. Sets
+// around one that was found are passed over.
 
 namespace partonomy::knowledge {
 namespace {
@@ -18,9 +21,11 @@ constexpr std::size_t most_tries = 512;
 
 struct Candidate {
     double cost;
-    std::vector<std::size_t> places;  ///< in the order of costs, ascending
-    auto key() const { return std::tuple(cost, places.size(), std::cref(places).get()); }
-    bool operator<(const Candidate& other) const { return key() > other.key(); }  // the queue gives the largest first
+    std::vector<std::size_t> places;                ///< in the order of costs, ascending
+    bool operator<(const Candidate& other) const {  // the queue gives the largest first
+        const std::size_t size = places.size(), other_size = other.places.size();
+        return std::tie(cost, size, places) > std::tie(other.cost, other_size, other.places);
+    }
 };
 
 bool is_in(const Space& space, const ConfigurationSet& set, const ConfigurationSet& where) {
@@ -36,10 +41,10 @@ CorrectionSearch::CorrectionSearch(const Domain& domain, const Knowledge& knowle
     std::ranges::stable_sort(cheapest_first_, {}, [&](std::size_t i) { return costs[i]; });
     const Conclusions known = conclude(domain, knowledge);
     bool is_there = concept_iri.empty() && known.contradiction;
-    goal_ = {std::vector<ConfigurationSet>(known.regions.size(), domain.regions.none()), domain.objects.none()};
+    goal_.regions.assign(known.regions.size(), domain.regions.none());
     if (const auto id = concept_iri.empty() ? std::nullopt : domain.objects.find(concept_iri))
         if (const auto& where = domain.objects.concepts[*id].where; is_in(domain.objects, known.object, where)) {
-            goal_.objects = where;
+            goal_.objects = {*id};
             is_there = true;
         }
     if (const auto id = concept_iri.empty() ? std::nullopt : domain.regions.find(concept_iri))
@@ -59,19 +64,69 @@ CorrectionSearch::CorrectionSearch(const Domain& domain, const Knowledge& knowle
     for (const CompositeSpace& composite : domain.composites)
         for (const Concept& each : composite.space.concepts)
             if (each.incompatible && !is_entailed_of_a_composite(known, each.iri)) all_.concepts.push_back(each.iri);
-    for (const Concept& each : domain.objects.concepts)
-        if (each.incompatible && !is_in(domain.objects, known.object, each.where)) all_.objects |= each.where;
+    for (std::size_t id = 0; id < domain.objects.concepts.size(); ++id)
+        if (const Concept& each = domain.objects.concepts[id];
+            each.incompatible && !is_in(domain.objects, known.object, each.where))
+            all_.objects.push_back(static_cast<ConceptId>(id));
     for (const Concept& each : domain.regions.concepts)
         for (std::size_t r = 0; r < known.regions.size(); ++r)
             if (each.incompatible && !is_in(domain.regions, known.regions[r], each.where))
                 all_.regions[r] |= each.where;
+    goal_ = with_test(std::move(goal_), known);
+    all_ = with_test(std::move(all_), known);
+    answers_of_.resize(known.regions.size());
+    for (std::size_t i = 0; i < knowledge.answers.size(); ++i) {
+        holds_.push_back(yes_set(domain.regions, knowledge.answers[i].question));
+        answers_of_[knowledge.answers[i].region].push_back(i);
+    }
+    known_ = known.regions;
+}
+
+CorrectionSearch::Unwanted CorrectionSearch::with_test(Unwanted unwanted, const Conclusions& known) const {
+    if (!unwanted.concepts.empty()) return unwanted;
+    std::vector<int> goals;
+    for (const ConceptId id : unwanted.objects)
+        goals.push_back(domain_.grounding->theory.find(domain_.objects.concepts[id].iri));
+    unwanted.test = ObjectTest::about(domain_, goals);
+    for (std::size_t r = 0; unwanted.test && r < known.regions.size(); ++r)
+        unwanted.types.push_back(unwanted.test->types_of(known.regions[r]));
+    return unwanted;
 }
 
 bool CorrectionSearch::mends(const std::vector<std::size_t>& set, const Unwanted& unwanted) {
     for (const std::size_t i : set) changed_.answers[i].yes = !changed_.answers[i].yes;
-    const Conclusions what = conclude(domain_, changed_);
+    const bool result = unwanted.test ? mends_by_test(set, unwanted) : mends_by_conclusions(unwanted);
     for (const std::size_t i : set) changed_.answers[i].yes = !changed_.answers[i].yes;
-    if (what.contradiction || what.object.is_subset_of(unwanted.objects)) return false;
+    return result;
+}
+
+bool CorrectionSearch::mends_by_test(const std::vector<std::size_t>& set, const Unwanted& unwanted) const {
+    std::vector<char> is_changed(known_.size(), 0);
+    for (const std::size_t i : set) is_changed[changed_.answers[i].region] = 1;
+    std::vector<ObjectTest::Types> types = unwanted.types;
+    for (std::size_t r = 0; r < known_.size(); ++r) {
+        if (is_changed[r]) {
+            ConfigurationSet region = domain_.regions.all();
+            for (const std::size_t i : answers_of_[r])
+                if (changed_.answers[i].yes)
+                    region &= holds_[i];
+                else
+                    region -= holds_[i];
+            if (region.is_empty() || region.is_subset_of(unwanted.regions[r])) return false;
+            types[r] = unwanted.test->types_of(region);
+        } else if (known_[r].is_subset_of(unwanted.regions[r])) {  // the empty set is, too
+            return false;
+        }
+    }
+    return unwanted.test->ask(std::move(types), changed_.complete).other;
+}
+
+bool CorrectionSearch::mends_by_conclusions(const Unwanted& unwanted) const {
+    const Conclusions what = conclude(domain_, changed_);
+    if (what.contradiction) return false;
+    ConfigurationSet unwanted_objects = domain_.objects.none();
+    for (const ConceptId id : unwanted.objects) unwanted_objects |= domain_.objects.concepts[id].where;
+    if (what.object.is_subset_of(unwanted_objects)) return false;
     for (std::size_t r = 0; r < what.regions.size(); ++r)
         if (what.regions[r].is_subset_of(unwanted.regions[r])) return false;
     return std::ranges::none_of(unwanted.concepts,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "knowledge/explain.h"
+#include "knowledge/object_test.h"
 
 namespace partonomy::knowledge {
 
@@ -19,20 +20,27 @@ public:
 private:
     /// What an object must not be, now or after a change.
     struct Unwanted {
-        std::vector<ConfigurationSet> regions;  ///< by region
-        ConfigurationSet objects;
-        std::vector<Iri> concepts = {};  ///< that no composite part must be
+        std::vector<ConfigurationSet> regions = {};  ///< by region
+        std::vector<ConceptId> objects = {};         ///< concepts of the object
+        std::vector<Iri> concepts = {};              ///< that no composite part must be
+        std::optional<ObjectTest> test = {};         ///< about `objects`, where it can tell
+        std::vector<ObjectTest::Types> types = {};   ///< for the test: of the regions as they are known
     };
+    [[nodiscard]] Unwanted with_test(Unwanted unwanted, const Conclusions& known) const;
     [[nodiscard]] bool mends(const std::vector<std::size_t>& set, const Unwanted& unwanted);
+    [[nodiscard]] bool mends_by_test(const std::vector<std::size_t>& set, const Unwanted& unwanted) const;
+    [[nodiscard]] bool mends_by_conclusions(const Unwanted& unwanted) const;
     [[nodiscard]] std::vector<Correction> search(std::size_t limit, const Unwanted& unwanted);
+    [[nodiscard]] bool is_entailed_of_a_composite(const Conclusions& what, const Iri& iri) const;
 
     const Domain& domain_;
     Knowledge changed_;
     const std::vector<double>& costs_;
     std::vector<std::size_t> cheapest_first_;
-    [[nodiscard]] bool is_entailed_of_a_composite(const Conclusions& what, const Iri& iri) const;
-
-    Unwanted goal_, all_;  ///< the concept itself; with every other incompatible one
+    std::vector<ConfigurationSet> known_;               ///< by region
+    std::vector<ConfigurationSet> holds_;               ///< by answer: where it would be yes
+    std::vector<std::vector<std::size_t>> answers_of_;  ///< by region
+    Unwanted goal_, all_;                               ///< the concept itself; with every other incompatible one
     bool is_cut_short_ = false;
 };
 

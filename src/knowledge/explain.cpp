@@ -8,13 +8,15 @@
 #include "knowledge/assembly.h"
 #include "knowledge/correction_search.h"
 #include "knowledge/object_clauses.h"
+#include "knowledge/object_test.h"
 #include "knowledge/reasons.h"
 
 // A minimal explanation by deletion: take one thing away; if the conclusion still follows, it was not needed. With
 // consistent knowledge entailment only shrinks when things are taken away, hence what remains is minimal. Answers come
-// first: with all axioms, whether the rest still suffices is what conclude() tells, in microseconds. Each test of an
-// axiom looks at the cone of the goal only, the concepts and features that the axioms still kept lead to; a class whose
-// defining axiom is gone is free to hold or not.
+// first: with all axioms, whether the rest still suffices is told from what the goal counts, in microseconds
+// (object_test.h). Each test of an axiom looks at the cone of the goal only, the concepts and features that the axioms
+// still kept lead to; a class whose defining axiom is gone is free to hold or not. A solver with selectors
+// (reasons.cpp) would do the same with more work: a call of it takes longer than counting over a listed space.
 //
 // Corrections by best-first search: sets of answers by ascending cost, each turned round and concluded from, those left
 // out that contain one found before. When that takes too many tries, or when the space is compiled, both are questions
@@ -112,18 +114,70 @@ bool is_entailed(const Domain& domain, const Conclusions& conclusions, const Iri
                                [&](const auto& set) { return follows(domain.regions, set, concept_iri); });
 }
 
-/// Leaves out what can be left out of kept[begin, end): all of it when `still_follows` then, else by halves. Whatever
-/// can go together can go one by one, so the rest is what leaving out one element after the other leaves.
+/// Whether the goal follows from all axioms and some of the answers.
+class FromAnswers {
+public:
+    FromAnswers(const Domain& domain, const Knowledge& knowledge, const Iri& concept_iri, int goal)
+        : domain_(domain), knowledge_(knowledge), iri_(concept_iri) {
+        if (goal < 0 || domain.grounding->theory.concepts[goal].level == Level::object)
+            test_ = ObjectTest::about(domain, goal < 0 ? std::vector<int>{} : std::vector{goal});
+        for (const Answer& answer : knowledge.answers) {
+            holds_.push_back(yes_set(domain.regions, answer.question));
+            if (test_ && !answer.yes) holds_.back() = holds_.back().complement();
+        }
+    }
+
+    [[nodiscard]] bool follows(const std::vector<char>& answers, bool complete) const {
+        if (!test_) return concludes(answers, complete);
+        std::vector<ConfigurationSet> regions(static_cast<std::size_t>(knowledge_.region_count), domain_.regions.all());
+        for (std::size_t i = 0; i < answers.size(); ++i)
+            if (answers[i]) regions[knowledge_.answers[i].region] &= holds_[i];
+        std::vector<ObjectTest::Types> types;
+        for (const ConfigurationSet& region : regions) {
+            if (iri_.empty() && region.is_empty()) return true;
+            types.push_back(test_->types_of(region));
+        }
+        const ObjectTest::Outcome outcome = test_->ask(std::move(types), complete);
+        return iri_.empty() ? !outcome.any : outcome.any && !outcome.other;
+    }
+
+private:
+    [[nodiscard]] bool concludes(const std::vector<char>& answers, bool complete) const {
+        Knowledge some = knowledge_;
+        some.complete = complete;
+        some.answers.clear();
+        for (std::size_t i = 0; i < answers.size(); ++i)
+            if (answers[i]) some.answers.push_back(knowledge_.answers[i]);
+        const Conclusions what = conclude(domain_, some);
+        return iri_.empty() ? what.contradiction : is_entailed(domain_, what, iri_);
+    }
+
+    const Domain& domain_;
+    const Knowledge& knowledge_;
+    const Iri& iri_;
+    std::optional<ObjectTest> test_;
+    std::vector<ConfigurationSet> holds_;  ///< by answer
+};
+
+/// Leaves out those of `candidates` that can be left out of `kept`: all of them when `still_follows` then, else by
+/// halves. Whatever can go together can go one by one, so the rest is what leaving out one after the other leaves.
 template <typename Follows>
-void shrink(std::vector<char>& kept, std::size_t begin, std::size_t end, const Follows& still_follows) {
-    if (std::all_of(kept.begin() + begin, kept.begin() + end, [](char each) { return each == 0; })) return;
-    const std::vector<char> before = kept;
-    std::fill(kept.begin() + begin, kept.begin() + end, char{0});
+void shrink(std::vector<char>& kept, std::span<const std::size_t> candidates, const Follows& still_follows) {
+    if (candidates.empty()) return;
+    for (const std::size_t i : candidates) kept[i] = 0;
     if (still_follows()) return;
-    kept = before;
-    if (end - begin == 1) return;
-    shrink(kept, begin, (begin + end) / 2, still_follows);
-    shrink(kept, (begin + end) / 2, end, still_follows);
+    for (const std::size_t i : candidates) kept[i] = 1;
+    if (candidates.size() == 1) return;
+    const std::size_t half = (candidates.size() + 1) / 2;
+    shrink(kept, candidates.first(half), still_follows);
+    shrink(kept, candidates.subspan(half), still_follows);
+}
+
+std::vector<std::size_t> places(const std::vector<char>& kept) {
+    std::vector<std::size_t> result;
+    for (std::size_t i = 0; i < kept.size(); ++i)
+        if (kept[i]) result.push_back(i);
+    return result;
 }
 
 /// Conclusions from a listed space take microseconds; from a compiled one the solver is faster.
@@ -172,37 +226,23 @@ Explanation explain(const Domain& domain, const Knowledge& knowledge, const Iri&
         keep_regions([&](int region) { return region == region_asked; });
     }
 
-    const auto still_follows = [&] {
-        Knowledge some = knowledge;
-        some.complete = complete;
-        some.answers.clear();
-        for (std::size_t i = 0; i < answers.size(); ++i)
-            if (answers[i]) some.answers.push_back(knowledge.answers[i]);
-        const Conclusions what = conclude(domain, some);
-        return goal < 0 ? what.contradiction : is_entailed(domain, what, concept_iri);
-    };
-    if (complete) {
-        complete = false;
-        complete = !still_follows();
-    }
-    shrink(answers, 0, answers.size(), still_follows);
+    const FromAnswers from(domain, knowledge, concept_iri, goal);
+    if (complete) complete = !from.follows(answers, false);
+    shrink(answers, places(answers), [&] { return from.follows(answers, complete); });
 
     const Oracle oracle(domain, knowledge, goal);
-    for (const NamedConcept& named : theory.concepts)
-        if (named.definition >= 0) axioms[named.axiom] = 1;
-    for (const Constraint& constraint : theory.constraints) axioms[constraint.axiom] = 1;
-    if (const std::vector<char> fewer = defining_axioms(theory, goal, axioms.size());
-        oracle.follows(fewer, answers, complete))
-        axioms = fewer;
-    shrink(axioms, 0, axioms.size(), [&] { return oracle.follows(axioms, answers, complete); });
+    const auto still_follows = [&] { return oracle.follows(axioms, answers, complete); };
+    axioms = defining_axioms(theory, goal, axioms.size());
+    if (still_follows()) {
+        for (const std::size_t axiom : places(axioms)) shrink(axioms, std::span(&axiom, 1), still_follows);
+    } else {
+        for (const NamedConcept& named : theory.concepts)
+            if (named.definition >= 0) axioms[named.axiom] = 1;
+        for (const Constraint& constraint : theory.constraints) axioms[constraint.axiom] = 1;
+        shrink(axioms, places(axioms), still_follows);
+    }
 
-    Explanation explanation;
-    for (std::size_t i = 0; i < answers.size(); ++i)
-        if (answers[i]) explanation.answers.push_back(i);
-    for (std::size_t i = 0; i < axioms.size(); ++i)
-        if (axioms[i]) explanation.axioms.push_back(i);
-    explanation.needs_completeness = complete;
-    return explanation;
+    return {places(answers), places(axioms), complete};
 }
 
 std::vector<int> culprits(const Domain& domain, const Knowledge& knowledge, const Iri& concept_iri) {

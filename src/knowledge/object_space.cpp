@@ -12,8 +12,8 @@
 // whoever has a compact seat has a seat. Which combinations some set of parts realises is found without listing such
 // sets. Configurations of a region that no part class tells apart are one *type* of part. Counts per class matter up to
 // the highest threshold only, so a vector of capped counts fits a word, and adding parts one after the other reaches
-// all the vectors there are; since the order does not matter, all of one type come before all of the next. Cost: at most
-// (reachable vectors) x (types) x (classes of a type).
+// all the vectors there are; since the order does not matter, all of one type come before all of the next. Cost: at
+// most (reachable vectors) x (types) x (classes of a type).
 
 namespace partonomy::knowledge {
 namespace {
@@ -187,12 +187,15 @@ std::vector<std::size_t> types_within(const Parts& parts, const ConfigurationSet
 
 std::vector<Counts> with_one_more(const Parts& parts, const std::vector<Counts>& counts,
                                   const std::vector<std::size_t>& types) {
+    if (counts.size() == 1 && types.size() == 1) return {parts.add(counts[0], parts.types[types[0]])};
     std::vector<Counts> result;
-    result.reserve(counts.size() * types.size());
-    for (const Counts each : counts)
-        for (const std::size_t t : types) result.push_back(parts.add(each, parts.types[t]));
+    CountSet seen;
+    for (const std::size_t t : types) {
+        const Adder adder(parts, parts.types[t]);
+        for (const Counts each : counts)
+            if (const Counts more = adder(each); seen.insert(more)) result.push_back(more);
+    }
     std::ranges::sort(result);
-    result.erase(std::unique(result.begin(), result.end()), result.end());
     return result;
 }
 
@@ -221,10 +224,16 @@ std::vector<Counts> reachable_counts(const Parts& parts, const std::vector<Confi
     std::vector<std::vector<std::size_t>> types;
     for (const ConfigurationSet& region : regions)
         types.push_back(types_within(parts, region.is_empty() ? region.complement() : region));
-    std::ranges::stable_sort(types, {},
-                             [](const auto& each) { return each.size(); });  // the sure ones keep the set small
+    std::ranges::sort(types, [](const auto& a, const auto& b) {  // the sure ones keep the set small
+        return a.size() != b.size() ? a.size() < b.size() : a < b;
+    });
     std::vector<Counts> counts{0};
-    for (const auto& each : types) counts = with_one_more(parts, counts, each);
+    for (std::size_t i = 0; i < types.size(); ++i) {
+        std::vector<Counts> more = with_one_more(parts, counts, types[i]);
+        if (more == counts)  // nor would another such part change anything
+            while (i + 1 < types.size() && types[i + 1] == types[i]) ++i;
+        counts = std::move(more);
+    }
     return counts;
 }
 

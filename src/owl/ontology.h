@@ -195,6 +195,7 @@ struct Entity {
 /// An ontology with its imports merged: what a document says, and where it says it.
 struct Ontology {
     Iri iri;                                             ///< of the file that was asked for; empty when it names none
+    std::string sha256;                                  ///< of that file's bytes; empty when it was parsed from memory
     std::vector<std::pair<Iri, std::string>> imports;    ///< every imported ontology and the file it came from
     std::vector<Entity> entities;                        ///< sorted by IRI
     std::vector<Axiom> axioms;                           ///< in the order of files and lines: imports first

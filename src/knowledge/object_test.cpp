@@ -1,0 +1,223 @@
+/* One question about an object, many times over.
+
+   To explain or to mend, the same question is put with answers taken away or turned round: is there still an object
+   that is no such thing? Of all that objects count, only what the question rests on matters (its cone): part classes
+   beyond it are forgotten, those that remain are counted to the thresholds that remain, and types of parts that differ
+   in nothing else become one. A few dozen vectors of counts are left of thousands; each is judged once, by walking
+   the formulas, and remembered. Cost: (vectors reached) x (types) for each region that is open, and next to nothing for
+   one that is sure. */
+
+#include "knowledge/object_test.h"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+#include <utility>
+
+namespace partonomy::knowledge {
+namespace {
+
+constexpr unsigned most_bits = 16;  // of a vector of counts: tables are indexed by it
+
+/// The `parts` formulas that the goals and the constraints of objects rest on; nullopt when what is needed to judge
+/// them is more than part counts.
+class Cone {
+public:
+    explicit Cone(const Theory& theory) : theory_(theory), seen_(theory.concepts.size(), 0) {}
+
+    void look_at_concept(int id) {
+        const auto at = static_cast<std::size_t>(id);
+        if (seen_[at]) return;
+        seen_[at] = 1;
+        if (theory_.concepts[at].definition < 0)
+            is_plain = false;
+        else
+            look_at(theory_.concepts[at].definition);
+    }
+    void look_at(FormulaId id) {
+        const Formula& formula = theory_.formulas[static_cast<std::size_t>(id)];
+        if (formula.kind == Formula::Kind::parts) atoms.push_back(id);
+        if (formula.kind == Formula::Kind::named) look_at_concept(formula.index);
+        for (const FormulaId operand : formula.operands) look_at(operand);
+    }
+
+    std::vector<FormulaId> atoms;
+    bool is_plain = true;
+
+private:
+    const Theory& theory_;
+    std::vector<char> seen_;
+};
+
+/// What is left of `whole` when only some of its atoms are looked at.
+Parts restricted(const Parts& whole, const std::vector<FormulaId>& formulas) {
+    constexpr auto none = std::numeric_limits<std::size_t>::max();
+    Parts parts;
+    parts.atom_of.assign(whole.atom_of.size(), -1);
+    std::vector<std::size_t> class_of(whole.classes.size(), none);
+    std::vector<int> atom_of(whole.atoms.size(), -1);
+    for (const FormulaId id : formulas) {
+        const int old = whole.atom_of[static_cast<std::size_t>(id)];
+        if (old < 0) continue;
+        int& atom = atom_of[static_cast<std::size_t>(old)];
+        if (atom < 0) {
+            Parts::Atom copy = whole.atoms[static_cast<std::size_t>(old)];
+            std::size_t& part = class_of[copy.part];
+            if (part == none) {
+                part = parts.classes.size();
+                parts.classes.push_back({{}, {}, 0, 0});
+            }
+            copy.part = part;
+            parts.classes[part].cap = std::max(parts.classes[part].cap, copy.threshold);
+            atom = static_cast<int>(parts.atoms.size());
+            parts.atoms.push_back(std::move(copy));
+        }
+        parts.atom_of[static_cast<std::size_t>(id)] = atom;
+    }
+    unsigned shift = 0;
+    for (Parts::PartClass& part : parts.classes) {
+        part.shift = shift;
+        shift += static_cast<unsigned>(std::bit_width(part.cap));
+    }
+    for (const Parts::Type& type : whole.types) {
+        std::vector<std::size_t> classes;
+        for (const std::size_t c : type.classes)
+            if (class_of[c] != none) classes.push_back(class_of[c]);
+        std::ranges::sort(classes);
+        const auto same = std::ranges::find(parts.types, classes, &Parts::Type::classes);
+        if (same == parts.types.end())
+            parts.types.push_back({std::move(classes), type.where});
+        else
+            same->where |= type.where;
+    }
+    return parts;
+}
+
+}  // namespace
+
+std::optional<ObjectTest> ObjectTest::about(const Domain& domain, std::span<const int> goals) {
+    if (domain.regions.diagram || domain.grounding->assembly.has_composites()) return std::nullopt;
+    Cone cone(domain.grounding->theory);
+    for (const int goal : goals) cone.look_at_concept(goal);
+    for (const Constraint& constraint : domain.grounding->theory.constraints)
+        if (constraint.level == Level::object) cone.look_at(constraint.formula);
+    if (!cone.is_plain) return std::nullopt;
+    ObjectTest test(domain, goals);
+    Parts& parts = test.parts_;
+    parts = restricted(domain.grounding->assembly.parts, cone.atoms);
+    unsigned bits = 0;
+    for (const Parts::PartClass& part : parts.classes) bits += static_cast<unsigned>(std::bit_width(part.cap));
+    if (bits > most_bits || parts.types.size() > 63) return std::nullopt;
+    for (const Parts::Type& type : parts.types) {
+        std::vector<Step>& steps = test.steps_.emplace_back();
+        for (const std::size_t c : type.classes) {
+            const Parts::PartClass& part = parts.classes[c];
+            const Counts mask = (Counts{1} << std::bit_width(part.cap)) - 1;
+            steps.push_back({mask << part.shift, Counts{part.cap} << part.shift, Counts{1} << part.shift});
+        }
+    }
+    test.judged_.assign(std::size_t{1} << bits, Judgement::none);
+    test.met_.assign(std::size_t{1} << bits, 0);
+    return test;
+}
+
+ObjectTest::ObjectTest(const Domain& domain, std::span<const int> goals)
+    : theory_(&domain.grounding->theory), goals_(goals.begin(), goals.end()) {}
+
+ObjectTest::Types ObjectTest::types_of(const ConfigurationSet& region) const {
+    Types types = 0;
+    for (std::size_t t = 0; t < parts_.types.size(); ++t)
+        if (region.is_empty() || parts_.types[t].where.intersects(region)) types |= Types{1} << t;
+    return types;
+}
+
+bool ObjectTest::is_member(int concept_id, Counts counts) const {
+    return holds(theory_->concepts[static_cast<std::size_t>(concept_id)].definition, counts);
+}
+
+bool ObjectTest::holds(FormulaId id, Counts counts) const {
+    const Formula& formula = theory_->formulas[static_cast<std::size_t>(id)];
+    const auto holds_here = [&](FormulaId operand) { return holds(operand, counts); };
+    switch (formula.kind) {
+        case Formula::Kind::truth:
+            return true;
+        case Formula::Kind::conjunction:
+            return std::ranges::all_of(formula.operands, holds_here);
+        case Formula::Kind::disjunction:
+            return std::ranges::any_of(formula.operands, holds_here);
+        case Formula::Kind::negation:
+            return !holds_here(formula.operands[0]);
+        case Formula::Kind::named:
+            return is_member(formula.index, counts);
+        case Formula::Kind::parts: {
+            const int atom = parts_.atom_of[static_cast<std::size_t>(id)];
+            return atom >= 0 && parts_.holds(counts, parts_.atoms[static_cast<std::size_t>(atom)]);
+        }
+        case Formula::Kind::falsity:
+        case Formula::Kind::choice:
+            break;
+    }
+    return false;
+}
+
+ObjectTest::Outcome ObjectTest::judge(Counts counts) const {
+    Judgement& judged = judged_[counts];
+    if (judged == Judgement::none) {
+        const bool is_possible = std::ranges::all_of(theory_->constraints, [&](const Constraint& constraint) {
+            return constraint.level != Level::object || holds(constraint.formula, counts);
+        });
+        const bool is_goal = std::ranges::any_of(goals_, [&](int goal) { return is_member(goal, counts); });
+        judged = !is_possible ? Judgement::impossible : is_goal ? Judgement::goal : Judgement::other;
+    }
+    return {judged != Judgement::impossible, judged == Judgement::other};
+}
+
+bool ObjectTest::add_part(Types types) const {
+    ++step_;
+    next_.clear();
+    for (; types != 0; types &= types - 1) {
+        const std::vector<Step>& steps = steps_[static_cast<std::size_t>(std::countr_zero(types))];
+        for (const Counts each : reached_) {
+            Counts more = each;
+            for (const Step& step : steps)
+                if ((each & step.mask) != step.full) more += step.one;
+            if (std::exchange(met_[more], step_) != step_) next_.push_back(more);
+        }
+    }
+    const bool is_more = next_.size() != reached_.size() ||
+                         std::ranges::any_of(reached_, [&](Counts each) { return met_[each] != step_; });
+    std::swap(reached_, next_);
+    return is_more;
+}
+
+ObjectTest::Outcome ObjectTest::ask(std::vector<Types> regions, bool complete) const {
+    std::ranges::sort(regions, [](Types a, Types b) {  // the sure ones keep the set small
+        const int a_count = std::popcount(a), b_count = std::popcount(b);
+        return a_count != b_count ? a_count < b_count : a < b;
+    });
+    reached_.assign(1, 0);
+    for (std::size_t i = 0; i < regions.size(); ++i) {
+        if (std::has_single_bit(regions[i]) && reached_.size() == 1)
+            reached_[0] = parts_.add(reached_[0], parts_.types[static_cast<std::size_t>(std::countr_zero(regions[i]))]);
+        else if (!add_part(regions[i]))  // nor would another such part change anything
+            while (i + 1 < regions.size() && regions[i + 1] == regions[i]) ++i;
+    }
+    if (!complete) {
+        ++step_;
+        for (const Counts each : reached_) met_[each] = step_;
+        for (std::size_t next = 0; next < reached_.size(); ++next)
+            for (const Parts::Type& type : parts_.types)
+                if (const Counts more = parts_.add(reached_[next], type); std::exchange(met_[more], step_) != step_)
+                    reached_.push_back(more);
+    }
+    Outcome outcome;
+    for (const Counts counts : reached_) {
+        const Outcome one = judge(counts);
+        outcome.any |= one.any;
+        outcome.other |= one.other;
+        if (outcome.other) break;
+    }
+    return outcome;
+}
+
+}  // namespace partonomy::knowledge
