@@ -127,6 +127,16 @@ void tell(const Placing& placing, const Arguments& arguments, double ms, Annotat
     annotation.trace.insert(annotation.trace.begin(), found.begin(), found.end());
 }
 
+/// What may keep objects from being anything: concepts that none can be, or that nothing proves.
+void tell_about_objects(const knowledge::Domain& domain) {
+    try {
+        for (const std::string& warning : domain.object_warnings())
+            fmt::print(stderr, "partonomy: note: {}\n", warning);
+    } catch (const OntologyError& too_many) {
+        fmt::print(stderr, "partonomy: note: {}\n", too_many.what());
+    }
+}
+
 Annotation annotate_file(const Arguments& arguments, const Knowhow& knowhow, Input& input, const std::string& mesh_path,
                          const fs::path& folder, const Progress& progress) {
     Stopwatch watch;
@@ -213,6 +223,7 @@ int run_annotate(const Arguments& arguments) {
         for (const std::string& warning : knowhow.domain.warnings) fmt::print(stderr, "partonomy: note: {}\n", warning);
 
     int exit_code = recognised;
+    bool is_told = arguments.quiet;
     for (std::size_t i = 0; i < arguments.meshes.size(); ++i) {
         try {
             const std::string& mesh = arguments.meshes[i];
@@ -225,6 +236,7 @@ int run_annotate(const Arguments& arguments) {
                 for (const std::string& note : annotation.mesh_notes) fmt::print(stderr, "{}: note: {}\n", mesh, note);
                 fmt::print("{}\n", summary(annotation, folders[i]));
             }
+            if (!is_recognised(annotation) && !std::exchange(is_told, true)) tell_about_objects(knowhow.domain);
             if (arguments.json) fmt::print("{}\n", to_json(annotation));
             if (exit_code == recognised && (!annotation.consistent || !is_recognised(annotation)))
                 exit_code = incompatible;

@@ -142,7 +142,7 @@ ordered_json as_json(const Checked& checked, bool is_wrong) {
             result["composites"].push_back(space_as_json(composite.space));
             result["composites"].back()["layer"] = fmt::format("S{}", composite.layer);
         }
-        result["layers"][fmt::format("S{}", checked.domain->object_layer())] = space_as_json(checked.domain->objects);
+        result["layers"][fmt::format("S{}", checked.domain->object_layer())] = space_as_json(checked.domain->objects());
         for (const auto& [sub, super] : checked.domain->hierarchy())
             result["hierarchy"].push_back({owl::local_name(sub), owl::local_name(super)});
         for (const owl::Iri& iri : checked.domain->unsatisfiable())
@@ -167,7 +167,7 @@ int run_check(const Arguments& arguments) {
         print_space("S1, parts", checked.domain->regions);
         for (const knowledge::CompositeSpace& composite : checked.domain->composites)
             print_space(fmt::format("S{}, composite parts", composite.layer), composite.space);
-        print_space(fmt::format("S{}, objects", checked.domain->object_layer()), checked.domain->objects);
+        print_space(fmt::format("S{}, objects", checked.domain->object_layer()), checked.domain->objects());
     }
     for (const Finding& finding : checked.findings) print_finding(finding, checked.ontology);
     if (wrong == 0)

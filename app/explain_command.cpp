@@ -86,7 +86,7 @@ void print_all_explanations(const Arguments& arguments, const json& annotation) 
         const auto name = diagnosis.at("concept").get<std::string>();
         owl::Iri iri;
         int region = -1;
-        std::vector<const knowledge::Space*> spaces{&domain.objects};
+        std::vector<const knowledge::Space*> spaces{&domain.objects()};
         for (const knowledge::CompositeSpace& composite : domain.composites) spaces.push_back(&composite.space);
         spaces.push_back(&domain.regions);
         for (const knowledge::Space* space : spaces)

@@ -37,7 +37,7 @@ const knowledge::Space& space_of(const knowledge::Domain& domain, const std::str
     if (name.empty()) return domain.regions;
     std::vector<const knowledge::Space*> spaces{&domain.regions};
     for (const knowledge::CompositeSpace& composite : domain.composites) spaces.push_back(&composite.space);
-    spaces.push_back(&domain.objects);
+    spaces.push_back(&domain.objects());
     for (const knowledge::Space* space : spaces)
         for (const knowledge::Concept& concept_ : space->concepts)
             if (owl::local_name(concept_.iri) == name) return *space;

@@ -268,8 +268,8 @@ Annotation annotate(const Domain& domain, const Catalogue& catalogue, const Obje
     const Conclusions assumed = conclude_with_assumptions(session, knowledge, known, namings);
     annotation.composites = composite_parts(session, assumed);
     std::vector<Iri> classes;
-    for (const ConceptId c : entailed(domain.objects, assumed.object)) {
-        const Iri& iri = domain.objects.concepts[static_cast<std::size_t>(c)].iri;
+    for (const ConceptId c : entailed(*assumed.objects, assumed.object)) {
+        const Iri& iri = assumed.objects->concepts[static_cast<std::size_t>(c)].iri;
         if (!iri.starts_with(owl::core_prefix) && annotation_of(domain, iri, "helper") != "true")
             classes.push_back(iri);
     }

@@ -23,7 +23,7 @@ using knowledge::Knowledge;
 using owl::Iri;
 
 constexpr std::size_t most_corrections = 8;  // that are listed for one diagnosis
-constexpr int most_parts_explained = 16;  // beyond, a minimal explanation takes longer than all the rest
+constexpr int most_parts_explained = 16;     // beyond, a minimal explanation takes longer than all the rest
 
 const Iri incompatible = std::string(owl::core_prefix) + "Incompatible";
 
@@ -153,8 +153,8 @@ std::vector<Diagnosis> diagnose(const Session& session, const Conclusions& known
     const Diagnoser diagnoser(session);
     if (known.contradiction) return {diagnoser.diagnose({}, -1)};
     std::vector<Diagnosis> diagnoses;
-    for (const ConceptId c : entailed(domain.objects, known.object)) {
-        const knowledge::Concept& concept_ = domain.objects.concepts[static_cast<std::size_t>(c)];
+    for (const ConceptId c : entailed(*known.objects, known.object)) {
+        const knowledge::Concept& concept_ = known.objects->concepts[static_cast<std::size_t>(c)];
         if (concept_.incompatible && concept_.iri != incompatible)
             diagnoses.push_back(diagnoser.diagnose(concept_.iri, -1));
     }

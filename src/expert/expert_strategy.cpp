@@ -14,6 +14,8 @@
  * when the walk gets there, which gives the same walk as the saved tree (tested). Cost: a few microseconds a question.
  */
 
+#include <map>
+#include <numeric>
 #include <set>
 #include <span>
 
@@ -30,6 +32,33 @@ using knowledge::PlanOptions;
 using knowledge::Question;
 using knowledge::Space;
 using knowledge::SplitCriterion;
+
+/// A planner for each region, over what was possible for it at first: what is read off a region leaves little of the
+/// space. Regions of which the same was known share one.
+class Planners {
+public:
+    Planners(const Session& session, PlanOptions options) : session_(session), options_(std::move(options)) {}
+
+    /// `possible` only shrinks from one call to the next.
+    const Planner& of(int region, const ConfigurationSet& possible) {
+        const auto at = static_cast<std::size_t>(region);
+        if (at >= of_region_.size()) of_region_.resize(at + 1);
+        if (of_region_[at] == nullptr) {
+            const Space& space = session_.domain().regions;
+            const ConfigurationSet within = space.diagram ? space.all() : possible;
+            auto found = planners_.find(within);
+            if (found == planners_.end()) found = planners_.try_emplace(within, space, options_, within).first;
+            of_region_[at] = &found->second;
+        }
+        return *of_region_[at];
+    }
+
+private:
+    const Session& session_;
+    PlanOptions options_;
+    std::map<ConfigurationSet, Planner> planners_;
+    std::vector<const Planner*> of_region_;
+};
 
 void cut(Session& session, SplitCriterion criterion) {
     PlanOptions plan;
@@ -54,9 +83,9 @@ void name(Session& session, SplitCriterion criterion) {
         return variable.kind == knowledge::VariableKind::relation ? std::nullopt : session.is_a_cost(question);
     };
     if (plan.wanted.empty() && !session.wanted().empty()) return;  // every name hangs on relations
-    const Planner planner(session.domain().regions, plan);
+    Planners planners(session, plan);
     for (int region = 0; region < session.region_count(); ++region)
-        while (const auto question = planner.best(session.possible(region)))
+        while (const auto question = planners.of(region, session.possible(region)).best(session.possible(region)))
             if (!session.ask(region, *question)) break;
 }
 
@@ -75,12 +104,12 @@ struct Askable {
 };
 
 /// A region and a question that may decide whether the object has `variable` of its parts conditions.
-std::optional<std::pair<int, Question>> question_for(Askable& askable, const Planner& planner, const Conclusions& known,
+std::optional<std::pair<int, Question>> question_for(Askable& askable, Planners& planners, const Conclusions& known,
                                                      int variable) {
     const Session& session = askable.session;
     const knowledge::Domain& domain = session.domain();
     const auto at = static_cast<std::size_t>(variable);
-    const std::span<const ConfigurationSet> conditions = domain.objects.variables[at].of_composites
+    const std::span<const ConfigurationSet> conditions = known.objects->variables[at].of_composites
                                                              ? std::span(domain.composite_conditions)
                                                              : std::span(domain.part_conditions).subspan(at, 1);
     for (int region = 0; region < session.region_count(); ++region)
@@ -88,30 +117,32 @@ std::optional<std::pair<int, Question>> question_for(Askable& askable, const Pla
             const ConfigurationSet& set = known.regions[static_cast<std::size_t>(region)];
             if (!set.intersects(condition) || set.is_subset_of(condition)) continue;
             askable.region = region;
-            if (const auto question = planner.best_about(set, condition)) return std::pair{region, *question};
+            if (const auto question = planners.of(region, set).best_about(set, condition))
+                return std::pair{region, *question};
         }
     return std::nullopt;
 }
 
 void recognise(Session& session, SplitCriterion criterion) {
-    const Space& objects = session.domain().objects;
     Askable askable(session);
     PlanOptions about_regions;
     about_regions.cost = askable.cost();
-    const Planner planner(session.domain().regions, about_regions);
+    Planners planners(session, about_regions);
     PlanOptions plan;
     plan.criterion = criterion;
-    for (ConceptId c = 0; c < static_cast<ConceptId>(objects.concepts.size()); ++c) plan.wanted.push_back(c);
     while (true) {
         const Conclusions known = conclude(session.domain(), session.knowledge());
         if (known.contradiction) return;
+        const Space& objects = *known.objects;
+        plan.wanted.resize(objects.concepts.size());
+        std::iota(plan.wanted.begin(), plan.wanted.end(), 0);
         plan.cost = [&](Question question) -> std::optional<double> {
-            if (!question_for(askable, planner, known, question.variable)) return std::nullopt;
+            if (!question_for(askable, planners, known, question.variable)) return std::nullopt;
             return 1.0;
         };
         const auto about_object = best_question(objects, known.object, plan);
         if (!about_object) return;
-        const auto about_region = question_for(askable, planner, known, about_object->variable);
+        const auto about_region = question_for(askable, planners, known, about_object->variable);
         if (!about_region) return;
         if (!session.ask(about_region->first, about_region->second)) askable.put_off.insert(*about_region);
     }

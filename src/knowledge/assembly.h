@@ -1,5 +1,6 @@
 #pragma once
 
+#include <mutex>
 #include <optional>
 
 #include "knowledge/explain.h"
@@ -59,8 +60,23 @@ struct Assembled {
 struct Grounding {
     CompileOptions options;
     Theory theory;
+    Scope scope;  ///< everything
+    std::string file;
     Assembly assembly;
-    ObjectLayer objects;
+    ConfigurationSet regions;           ///< every configuration of a region
+    ConfigurationSet possible_regions;  ///< in which no incompatible concept holds
+
+    /// Every configuration of an object.
+    struct Listing {
+        ObjectLayer layer;
+        Space space;
+    };
+    /// Made when first asked for. Throws OntologyError when there are too many configurations.
+    [[nodiscard]] const Listing& objects() const;
+
+private:
+    mutable std::once_flag once_;
+    mutable Listing listing_;
 };
 
 /// What belongs together: a set of configurations that none of some sets tells apart, and which of them it is in.

@@ -5,10 +5,12 @@
 #include "knowledge/causes.h"
 
 // The road from an ontology to its configuration spaces: levels and formulas (theory.cpp), the space of one region
-// (region_space.cpp), what composite parts there are and what objects count (assembly.cpp), the space of one object
-// (object_space.cpp); then what the expert should know about it. A space only holds what the axioms allow; what an
-// Incompatible concept forbids stays in it and is left out of `possible`, so that an impossible object can be
-// recognised and explained. Furniture takes about 1 ms: 2 ranges of 5 words and a few hundred object configurations.
+// (region_space.cpp), what composite parts there are and what objects count (assembly.cpp); then what the expert should
+// know about it. A space only holds what the axioms allow; what an Incompatible concept forbids stays in it and is left
+// out of `possible`, so that an impossible object can be recognised and explained. The space of one object
+// (object_space.cpp) is a product of everything that objects count, and one mesh reaches little of it: it is listed
+// when somebody wants to see it, while conclude() makes the part that it needs. Furniture takes about half a
+// millisecond.
 
 namespace partonomy::knowledge {
 namespace {
@@ -105,6 +107,35 @@ void finish_space(const Theory& theory, const Scope& scope, Subject subject, con
     }
 }
 
+/// Runs `work`; an error without a place gets the file's.
+template <typename Work>
+void placed_in(const std::string& file, const Work& work) {
+    try {
+        work();
+    } catch (const OntologyError& error) {
+        const std::string sentence = error.what();
+        const bool placed = sentence.find(": ") != std::string::npos;
+        throw OntologyError(placed ? sentence : at(file, 0, sentence + "."));
+    }
+}
+
+/// Whether an object of no part or of one obeys the axioms; most ontologies allow something as simple.
+bool allows_simple_objects(const Grounding& grounding) {
+    if (std::ranges::none_of(grounding.theory.constraints,
+                             [](const Constraint& constraint) { return constraint.level == Level::object; }))
+        return true;
+    const Parts& parts = grounding.assembly.parts;
+    std::vector<Counts> counts{0};
+    if (!grounding.assembly.has_composites()) {
+        counts = with_one_more(parts, counts, types_within(parts, grounding.regions));
+        counts.insert(counts.begin(), 0);
+        counts.erase(std::unique(counts.begin(), counts.end()), counts.end());
+    }
+    return build_objects(grounding.theory, grounding.scope, {}, parts, std::move(counts),
+                         grounding.options.configuration_limit)
+               .layer.space.size > 0;
+}
+
 /// What a user of one layer should know, in the expert's words; lint.h tells an expert more.
 void lint(const Theory& theory, const Space& space, const std::string& what, std::vector<std::string>& warnings) {
     for (const Concept& each : space.concepts) {
@@ -145,7 +176,12 @@ void lint_composites(const Theory& theory, Domain& domain) {
                       [&](const Concept& each) { return theory.concepts[theory.find(each.iri)].group < 0; });
         lint(theory, own, "composite part", domain.warnings);
     }
-    const std::vector<Iri> unsatisfiable = domain.unsatisfiable();
+    const auto is_unsatisfiable = [&](const Iri& iri) {
+        return std::ranges::all_of(domain.composites, [&](const CompositeSpace& composite) {
+            const std::optional<ConceptId> id = composite.space.find(iri);
+            return !id || composite.space.concepts[*id].where.is_empty();
+        });
+    };
     for (const NamedConcept& named : theory.concepts) {
         if (named.level != Level::composite || named.group >= 0) continue;
         const std::string name = owl::local_name(named.iri);
@@ -153,7 +189,7 @@ void lint_composites(const Theory& theory, Domain& domain) {
             domain.warnings.push_back(name +
                                       " has only necessary conditions, so no composite part can ever be proved to be " +
                                       with_article(name) + "; did you mean EquivalentTo?");
-        else if (domain.composites.empty() || std::ranges::binary_search(unsatisfiable, named.iri))
+        else if (is_unsatisfiable(named.iri))
             domain.warnings.push_back("No composite part can be " + with_article(name) +
                                       ": no hasPart says what it consists of, or its axioms contradict each other.");
     }
@@ -161,48 +197,61 @@ void lint_composites(const Theory& theory, Domain& domain) {
 
 }  // namespace
 
+const Grounding::Listing& Grounding::objects() const {
+    std::call_once(once_, [&] {
+        placed_in(file, [&] {
+            const std::size_t limit = options.configuration_limit;
+            Listing made;
+            made.layer = build_objects(theory, scope, {}, assembly.parts,
+                                       possible_counts(theory, assembly, regions, false, limit), limit);
+            finish_space(theory, scope, {}, made.layer.layer, made.space);
+            if (possible_regions != regions || assembly.has_composites())
+                made.space.possible &= made.layer.of(possible_counts(theory, assembly, possible_regions, true, limit));
+            listing_ = std::move(made);
+        });
+    });
+    return listing_;
+}
+
+const Space& Domain::objects() const { return grounding->objects().space; }
+
+std::vector<std::string> Domain::object_warnings() const {
+    std::vector<std::string> found;
+    lint(grounding->theory, objects(), "object", found);
+    return found;
+}
+
 Domain compile(owl::Ontology ontology, const CompileOptions& options) {
     auto grounding = std::make_shared<Grounding>();
     Domain domain;
     grounding->options = options;
     grounding->theory = read_theory(ontology);
     const Theory& theory = grounding->theory;
-    const std::string file = main_file(ontology);
+    const std::string& file = grounding->file = main_file(ontology);
     if (std::ranges::none_of(theory.concepts, [](const NamedConcept& named) { return named.level == Level::object; }))
         throw OntologyError(
             at(file, 0, "no concept describes an object; put at least one below core:Object, with its hasPart."));
     Layer regions;
-    try {
-        const Scope scope = whole_scope(theory, ontology.axioms.size());
-        const std::size_t limit = options.configuration_limit;
+    placed_in(file, [&] {
+        const Scope& scope = grounding->scope = whole_scope(theory, ontology.axioms.size());
         regions = build_regions(theory, scope, options);
         if (regions.space.size == 0) refuse_inconsistent(ontology, theory, Level::region);
         finish_space(theory, scope, {Level::region, -1}, regions, domain.regions);
-        grounding->assembly = assemble(theory, scope, regions, limit);
+        grounding->regions = domain.regions.all();
+        grounding->possible_regions = domain.regions.possible;
+        grounding->assembly = assemble(theory, scope, regions, options.configuration_limit);
         const Assembly& assembly = grounding->assembly;
         for (std::size_t g = 0; g < assembly.composites.size(); ++g)
             finish_space(theory, scope, {Level::composite, static_cast<int>(g)}, assembly.composites[g].objects.layer,
                          domain.composites.emplace_back().space);
-        const Parts& parts = assembly.parts;
-        grounding->objects = build_objects(theory, scope, {}, parts,
-                                           possible_counts(theory, assembly, regions.space.all(), false, limit), limit);
-        const ObjectLayer& objects = grounding->objects;
-        if (objects.layer.space.size == 0) refuse_inconsistent(ontology, theory, Level::object);
-        if (!assembly.has_composites()) prepare_beyond(parts, grounding->objects);
-        finish_space(theory, scope, {}, objects.layer, domain.objects);
-        if (domain.regions.possible != domain.regions.all() || assembly.has_composites())
-            domain.objects.possible &=
-                objects.of(possible_counts(theory, assembly, domain.regions.possible, true, limit));
-    } catch (const OntologyError& error) {
-        const std::string sentence = error.what();
-        const bool placed = sentence.find(": ") != std::string::npos;
-        throw OntologyError(placed ? sentence : at(file, 0, sentence + "."));
-    }
+        if (!allows_simple_objects(*grounding) && grounding->objects().space.size == 0)
+            refuse_inconsistent(ontology, theory, Level::object);
+    });
     const Parts& parts = grounding->assembly.parts;
-    for (const Variable& variable : domain.objects.variables)
-        domain.part_conditions.push_back(variable.kind == VariableKind::parts
-                                             ? parts.classes[parts.atoms[domain.part_conditions.size()].part].where
-                                             : domain.regions.none());
+    for (const Parts::Atom& atom : parts.atoms) domain.part_conditions.push_back(parts.classes[atom.part].where);
+    for (const NamedConcept& named : theory.concepts)
+        if (named.level == Level::object && named.definition < 0)
+            domain.part_conditions.push_back(domain.regions.none());
     finish_composites(*grounding, domain);
     domain.ranges = theory.ranges;
     domain.numbers = theory.numbers;
@@ -226,7 +275,6 @@ Domain compile(owl::Ontology ontology, const CompileOptions& options) {
     if (const std::string why = why_not_counted(domain.regions); !why.empty()) domain.warnings.push_back(why + ".");
     lint(theory, domain.regions, "region", domain.warnings);
     lint_composites(theory, domain);
-    lint(theory, domain.objects, "object", domain.warnings);
     domain.ontology = std::move(ontology);
     domain.grounding = std::move(grounding);
     return domain;

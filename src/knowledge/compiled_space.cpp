@@ -16,6 +16,7 @@
 #include "base/errors.h"
 #include "knowledge/choices.h"
 #include "knowledge/diagram.h"
+#include "knowledge/formula_clauses.h"
 #include "knowledge/solver.h"
 #include "knowledge/theory.h"
 
@@ -76,25 +77,11 @@ public:
 
 private:
     [[nodiscard]] int make(Reading& reading, const Formula& formula) {
-        std::vector<int> operands;
-        for (const FormulaId operand : formula.operands) operands.push_back(literal(reading, operand));
-        switch (formula.kind) {
-            case Formula::Kind::truth:
-                return clauses.always();
-            case Formula::Kind::conjunction:
-                return clauses.all_of(operands);
-            case Formula::Kind::disjunction:
-                return clauses.any_of(operands);
-            case Formula::Kind::negation:
-                return -operands[0];
-            case Formula::Kind::choice:
-                formula.values.for_each([&](std::size_t value) { operands.push_back(features[formula.index][value]); });
-                return clauses.any_of(operands);
-            case Formula::Kind::named:
-                return concept_literal(reading, static_cast<std::size_t>(formula.index));
-            default:
-                return clauses.never();
-        }
+        return formula_literal(
+            clauses, formula, [&](FormulaId operand) { return literal(reading, operand); },
+            [&](std::size_t f) -> const std::vector<int>& { return features[f]; },
+            [&](int named) { return concept_literal(reading, static_cast<std::size_t>(named)); },
+            [&](const Formula&) { return clauses.never(); });
     }
 
     /// Makes the formula (its negation when not `sign`) true without gates for its outer conjunctions and disjunctions.

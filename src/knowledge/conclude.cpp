@@ -6,10 +6,32 @@
 // Answers cut the set of each region; the sets of the regions cut what the object can be. The second step is exact and
 // cheap: the parts of an object only matter by their types, so each region adds one of the types that it may still have
 // to the vectors of counts reached so far (object_space.cpp). Regions whose type is known come first and keep that set
-// at one vector. Where the ontology has composite parts, regions are put together first (put_together.cpp); while more
+// at one vector. Only these vectors become configurations: what the object can be is a small space of its own for each
+// mesh. Where the ontology has composite parts, regions are put together first (put_together.cpp); while more
 // regions may turn up, or there are too many ways, composite parts stay open.
 
 namespace partonomy::knowledge {
+namespace {
+
+/// The configurations with one of these counts; those that only have others than `possible` are impossible.
+std::shared_ptr<const Space> objects_with(const Grounding& grounding, std::vector<Counts> counts,
+                                          const std::optional<std::vector<Counts>>& possible) {
+    const Theory& theory = grounding.theory;
+    ObjectLayer objects = build_objects(theory, grounding.scope, {}, grounding.assembly.parts, std::move(counts),
+                                        grounding.options.configuration_limit);
+    auto space = std::make_shared<Space>(std::move(objects.layer.space));
+    space->possible = possible ? objects.of(*possible) : space->all();
+    for (std::size_t id = 0; id < theory.concepts.size(); ++id) {
+        const NamedConcept& named = theory.concepts[id];
+        if (named.level != Level::object) continue;
+        ConfigurationSet& where = objects.layer.concepts[id];
+        if (named.incompatible) space->possible -= where;
+        space->concepts.push_back({named.iri, std::move(where), named.incompatible, named.definition >= 0, false});
+    }
+    return space;
+}
+
+}  // namespace
 
 Conclusions conclude(const Domain& domain, const Knowledge& knowledge) {
     if (!domain.grounding) throw std::invalid_argument("conclude: the domain was not compiled");
@@ -37,20 +59,34 @@ Conclusions conclude_object(const Domain& domain, const Knowledge& knowledge, st
     conclusions.regions = std::move(regions);
     const Grounding& grounding = *domain.grounding;
     const Parts& parts = grounding.assembly.parts;
-    const ObjectLayer& objects = grounding.objects;
     if (grounding.assembly.has_composites()) {
+        const Grounding::Listing& all = grounding.objects();
         std::optional<Assembled> assembled;
         if (knowledge.complete)
             assembled = put_together(grounding.theory, grounding.assembly, domain.regions.all(), conclusions.regions,
                                      knowledge.connected);
-        conclusions.object = objects.of(assembled ? assembled->counts
-                                                  : with_any_composites(parts, objects.counts,
-                                                                        reachable_counts(parts, conclusions.regions),
-                                                                        !knowledge.complete));
+        conclusions.objects = {domain.grounding, &all.space};
+        conclusions.object = all.layer.of(assembled ? assembled->counts
+                                                    : with_any_composites(parts, all.layer.counts,
+                                                                          reachable_counts(parts, conclusions.regions),
+                                                                          !knowledge.complete));
         if (assembled) conclusions.composites = std::move(assembled->composites);
     } else {
-        const std::vector<Counts> counts = reachable_counts(parts, conclusions.regions);
-        conclusions.object = knowledge.complete ? objects.of(counts) : with_more_parts(parts, objects, counts);
+        const auto counts_within = [&](const std::vector<ConfigurationSet>& sets, const ConfigurationSet& others) {
+            std::vector<Counts> counts = reachable_counts(parts, sets);
+            return knowledge.complete ? counts
+                                      : with_any_more(parts, counts, types_within(parts, others),
+                                                      grounding.options.configuration_limit);
+        };
+        std::optional<std::vector<Counts>> possible;
+        if (grounding.possible_regions != grounding.regions) {
+            std::vector<ConfigurationSet> sets = conclusions.regions;
+            bool is_any = true;
+            for (ConfigurationSet& set : sets) is_any &= !(set &= grounding.possible_regions).is_empty();
+            possible = is_any ? counts_within(sets, grounding.possible_regions) : std::vector<Counts>{};
+        }
+        conclusions.objects = objects_with(grounding, counts_within(conclusions.regions, grounding.regions), possible);
+        conclusions.object = conclusions.objects->all();
     }
 
     conclusions.contradiction = conclusions.object.is_empty();
@@ -65,8 +101,9 @@ Conclusions conclude_object(const Domain& domain, const Knowledge& knowledge, st
         for (const ConceptId id : entailed(space, composite.possible))
             if (space.concepts[id].incompatible) conclusions.diagnoses.push_back(space.concepts[id].iri);
     }
-    for (const ConceptId id : entailed(domain.objects, conclusions.object))
-        if (domain.objects.concepts[id].incompatible) conclusions.diagnoses.push_back(domain.objects.concepts[id].iri);
+    for (const ConceptId id : entailed(*conclusions.objects, conclusions.object))
+        if (conclusions.objects->concepts[id].incompatible)
+            conclusions.diagnoses.push_back(conclusions.objects->concepts[id].iri);
     std::ranges::sort(conclusions.diagnoses);
     conclusions.diagnoses.erase(std::unique(conclusions.diagnoses.begin(), conclusions.diagnoses.end()),
                                 conclusions.diagnoses.end());

@@ -192,6 +192,14 @@ ConfigurationSet ConfigurationSet::complement() const {
     return is_empty() ? all : all -= *this;
 }
 
+void ConfigurationSet::insert_range(std::size_t first, std::size_t end) {
+    while (first < end) {
+        const std::size_t bits = std::min(end - first, 64 - first % 64);
+        words_[first / 64] |= (bits == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << bits) - 1) << (first % 64);
+        first += bits;
+    }
+}
+
 ConfigurationSet ConfigurationSet::packed(const ConfigurationSet& kept) const {
     ConfigurationSet result(kept.count());
     std::size_t next = 0;

@@ -45,6 +45,7 @@ public:
     /// Of listed spaces only: single configurations, by number.
     [[nodiscard]] bool has(std::size_t i) const { return (words_[i / 64] >> (i % 64)) & 1U; }
     void insert(std::size_t i) { words_[i / 64] |= std::uint64_t{1} << (i % 64); }
+    void insert_range(std::size_t first, std::size_t end);
     /// Calls `visit(i)` for each configuration in the set, ascending.
     template <typename Visit>
     void for_each(Visit&& visit) const {

@@ -42,9 +42,10 @@ CorrectionSearch::CorrectionSearch(const Domain& domain, const Knowledge& knowle
     const Conclusions known = conclude(domain, knowledge);
     bool is_there = concept_iri.empty() && known.contradiction;
     goal_.regions.assign(known.regions.size(), domain.regions.none());
-    if (const auto id = concept_iri.empty() ? std::nullopt : domain.objects.find(concept_iri))
-        if (const auto& where = domain.objects.concepts[*id].where; is_in(domain.objects, known.object, where)) {
-            goal_.objects = {*id};
+    const Space& objects = *known.objects;
+    if (const auto id = concept_iri.empty() ? std::nullopt : objects.find(concept_iri))
+        if (is_in(objects, known.object, objects.concepts[*id].where)) {
+            goal_.objects = {concept_iri};
             is_there = true;
         }
     if (const auto id = concept_iri.empty() ? std::nullopt : domain.regions.find(concept_iri))
@@ -64,10 +65,8 @@ CorrectionSearch::CorrectionSearch(const Domain& domain, const Knowledge& knowle
     for (const CompositeSpace& composite : domain.composites)
         for (const Concept& each : composite.space.concepts)
             if (each.incompatible && !is_entailed_of_a_composite(known, each.iri)) all_.concepts.push_back(each.iri);
-    for (std::size_t id = 0; id < domain.objects.concepts.size(); ++id)
-        if (const Concept& each = domain.objects.concepts[id];
-            each.incompatible && !is_in(domain.objects, known.object, each.where))
-            all_.objects.push_back(static_cast<ConceptId>(id));
+    for (const Concept& each : objects.concepts)
+        if (each.incompatible && !is_in(objects, known.object, each.where)) all_.objects.push_back(each.iri);
     for (const Concept& each : domain.regions.concepts)
         for (std::size_t r = 0; r < known.regions.size(); ++r)
             if (each.incompatible && !is_in(domain.regions, known.regions[r], each.where))
@@ -85,8 +84,7 @@ CorrectionSearch::CorrectionSearch(const Domain& domain, const Knowledge& knowle
 CorrectionSearch::Unwanted CorrectionSearch::with_test(Unwanted unwanted, const Conclusions& known) const {
     if (!unwanted.concepts.empty()) return unwanted;
     std::vector<int> goals;
-    for (const ConceptId id : unwanted.objects)
-        goals.push_back(domain_.grounding->theory.find(domain_.objects.concepts[id].iri));
+    for (const Iri& iri : unwanted.objects) goals.push_back(domain_.grounding->theory.find(iri));
     unwanted.test = ObjectTest::about(domain_, goals);
     for (std::size_t r = 0; unwanted.test && r < known.regions.size(); ++r)
         unwanted.types.push_back(unwanted.test->types_of(known.regions[r]));
@@ -124,8 +122,8 @@ bool CorrectionSearch::mends_by_test(const std::vector<std::size_t>& set, const 
 bool CorrectionSearch::mends_by_conclusions(const Unwanted& unwanted) const {
     const Conclusions what = conclude(domain_, changed_);
     if (what.contradiction) return false;
-    ConfigurationSet unwanted_objects = domain_.objects.none();
-    for (const ConceptId id : unwanted.objects) unwanted_objects |= domain_.objects.concepts[id].where;
+    ConfigurationSet unwanted_objects = what.objects->none();
+    for (const Iri& iri : unwanted.objects) unwanted_objects |= what.objects->concepts[*what.objects->find(iri)].where;
     if (what.object.is_subset_of(unwanted_objects)) return false;
     for (std::size_t r = 0; r < what.regions.size(); ++r)
         if (what.regions[r].is_subset_of(unwanted.regions[r])) return false;

@@ -21,7 +21,7 @@ private:
     /// What an object must not be, now or after a change.
     struct Unwanted {
         std::vector<ConfigurationSet> regions = {};  ///< by region
-        std::vector<ConceptId> objects = {};         ///< concepts of the object
+        std::vector<Iri> objects = {};               ///< concepts of the object
         std::vector<Iri> concepts = {};              ///< that no composite part must be
         std::optional<ObjectTest> test = {};         ///< about `objects`, where it can tell
         std::vector<ObjectTest::Types> types = {};   ///< for the test: of the regions as they are known

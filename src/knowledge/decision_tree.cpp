@@ -48,7 +48,7 @@ public:
                 continue;
             }
             depth_ = depths_[i] + 1;
-            const ConfigurationSet& yes = asker_.yes_set(*question);
+            const ConfigurationSet yes = yes_set(space_, *question);
             const int yes_node = node(set & yes, true), no_node = last ? -1 : node(set - yes, segmented);
             tree_.nodes[i].yes = yes_node;
             tree_.nodes[i].no = no_node;

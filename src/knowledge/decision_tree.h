@@ -50,6 +50,8 @@ struct PlanOptions {
 class Planner {
 public:
     Planner(const Space& space, PlanOptions options);
+    /// One for subsets of `within` only, which may be a small part of the space: then it is as much faster.
+    Planner(const Space& space, PlanOptions options, const ConfigurationSet& within);
 
     [[nodiscard]] bool is_decided(const ConfigurationSet& set) const;
     [[nodiscard]] std::optional<Question> best(const ConfigurationSet& set) const;
@@ -61,8 +63,6 @@ public:
                                                      const ConfigurationSet& condition) const;
     /// The cheapest question whose answer is yes in all of `set`.
     [[nodiscard]] std::optional<Question> cheapest_yes(const ConfigurationSet& set) const;
-    /// The configurations in which the answer is yes; the question must be one of the space's own.
-    [[nodiscard]] const ConfigurationSet& yes_set(Question question) const;
 
 private:
     struct Candidate {
@@ -83,12 +83,19 @@ private:
     /// more than `budget` new sets.
     [[nodiscard]] std::optional<double> price_of(const ConfigurationSet& set, std::size_t& budget) const;
     [[nodiscard]] double price(const Candidate& candidate) const;
+    /// A set as the planner has it: without the configurations that are not in `within_`.
+    [[nodiscard]] ConfigurationSet packed(const ConfigurationSet& set) const;
+    [[nodiscard]] std::optional<Question> best_packed(const ConfigurationSet& set) const;
+    [[nodiscard]] std::optional<Question> split_packed(const ConfigurationSet& set) const;
+    [[nodiscard]] bool is_decided_packed(const ConfigurationSet& set) const;
     /// Over a compiled space; literals of what is wanted, none for the most even split.
     [[nodiscard]] std::optional<Question> best_compiled(const ConfigurationSet& set, const std::vector<int>& wanted,
                                                         bool must_tell) const;
 
     const Space* space_;
     PlanOptions options_;
+    std::optional<ConfigurationSet> within_;
+    ConfigurationSet possible_;          ///< packed, as all that follows
     std::vector<Candidate> candidates_;  ///< ascending
     std::vector<ConfigurationSet>
         labels_;  ///< configurations that agree on every wanted concept; none when wanted is empty

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "knowledge/assembly.h"
+#include "knowledge/object_test.h"
 #include "knowledge/sampled_models.h"
-#include "knowledge/theory.h"
 
 namespace partonomy::knowledge {
 namespace {
@@ -18,7 +19,7 @@ const char* top_of(Sort sort) {
 
 std::vector<const Space*> spaces_of(const Domain& domain, Sort sort) {
     if (sort == Sort::region) return {&domain.regions};
-    if (sort == Sort::object) return {&domain.objects};
+    if (sort == Sort::object) return {&domain.objects()};
     std::vector<const Space*> spaces;
     for (const CompositeSpace& composite : domain.composites) spaces.push_back(&composite.space);
     return spaces;
@@ -26,8 +27,26 @@ std::vector<const Space*> spaces_of(const Domain& domain, Sort sort) {
 
 constexpr Sort all_sorts[] = {Sort::region, Sort::composite, Sort::object};
 
+bool is_object_concept(const Domain& domain, const Iri& iri) {
+    const Theory& theory = domain.grounding->theory;
+    const int id = theory.find(iri);
+    return id >= 0 && theory.concepts[id].level == Level::object;
+}
+
+/// Whether the definition of concept `a` says that it is a `b`, directly or through those that it names.
+bool is_told_below(const Theory& theory, int a, int b) {
+    const auto says = [&](const auto& self, FormulaId id) -> bool {
+        const Formula& formula = theory.formulas[id];
+        if (formula.kind == Formula::Kind::named) return formula.index == b || is_told_below(theory, formula.index, b);
+        return formula.kind == Formula::Kind::conjunction &&
+               std::ranges::any_of(formula.operands, [&](FormulaId operand) { return self(self, operand); });
+    };
+    return theory.concepts[a].definition >= 0 && says(says, theory.concepts[a].definition);
+}
+
 std::optional<Sort> sort_of(const Domain& domain, const Iri& iri) {
-    for (const Sort sort : all_sorts)
+    if (is_object_concept(domain, iri)) return Sort::object;
+    for (const Sort sort : {Sort::region, Sort::composite})
         for (const Space* space : spaces_of(domain, sort))
             if (space->find(iri)) return sort;
     return std::nullopt;
@@ -40,15 +59,19 @@ ConfigurationSet where_in(const Space& space, const Iri& iri) {
 }
 
 bool is_incompatible(const Domain& domain, const Iri& iri) {
-    for (const Sort sort : all_sorts)
-        for (const Space* space : spaces_of(domain, sort))
-            if (const std::optional<ConceptId> id = space->find(iri)) return space->concepts[*id].incompatible;
-    return false;
+    const int id = domain.grounding->theory.find(iri);
+    return id >= 0 && domain.grounding->theory.concepts[id].incompatible;
 }
 
 /// Whether every `a` is a `b`, for different names.
 bool is_below(const Domain& domain, const Iri& a, const Iri& b) {
     const std::optional<Sort> sub = sort_of(domain, a), super = sort_of(domain, b);
+    if (sub == Sort::object && super == Sort::object) {
+        const Theory& theory = domain.grounding->theory;
+        const std::vector<int> pair{theory.find(a), theory.find(b)};
+        if (is_told_below(theory, pair[0], pair[1])) return true;
+        if (const auto test = ObjectTest::about(domain, pair)) return test->is_below(pair[0], pair[1]);
+    }
     if (sub && super)
         return *sub == *super && std::ranges::all_of(spaces_of(domain, *sub), [&](const Space* space) {
             return where_in(*space, a).is_subset_of(where_in(*space, b));
@@ -135,7 +158,7 @@ int Domain::layer(const Iri& iri) const {
     if (regions.find(iri)) return 1;
     for (const CompositeSpace& composite : composites)
         if (composite.space.find(iri)) return composite.layer;
-    if (objects.find(iri)) return object_layer();
+    if (is_object_concept(*this, iri)) return object_layer();
     for (const RangeConcept& range : ranges)
         if (range.iri == iri || std::ranges::any_of(range.values, [&](const auto& value) { return value.iri == iri; }))
             return 0;
@@ -156,8 +179,8 @@ std::vector<Iri> Domain::most_specific(const std::vector<Iri>& iris) const {
     std::vector<Iri> kept;
     for (const Iri& iri : iris) {
         const bool hidden = std::ranges::any_of(iris, [&](const Iri& other) {
-            return other != iri && is_below(*this, other, iri) && !is_below(*this, iri, other) &&
-                   is_diagnosis(other) == is_diagnosis(iri);
+            return other != iri && is_diagnosis(other) == is_diagnosis(iri) && is_below(*this, other, iri) &&
+                   !is_below(*this, iri, other);
         });
         if (!hidden) kept.push_back(iri);
     }

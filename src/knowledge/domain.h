@@ -153,8 +153,11 @@ struct Domain {
     std::vector<RelationalFeature> relational;
     Space regions;                           ///< layer S1: the configurations of one region
     std::vector<CompositeSpace> composites;  ///< each after those that it is made of; mostly none
-    Space objects;  ///< the highest layer (S2 without composite parts): one object, over its `parts` variables
-    /// For each variable of `objects` the configurations of a region that count as such a part; same order. Empty set
+    /// The highest layer (S2 without composite parts): every configuration of one object, over its `parts` variables.
+    /// Listed when first asked for; annotating a mesh does without (Conclusions::objects). Throws OntologyError when
+    /// there are too many.
+    [[nodiscard]] const Space& objects() const;
+    /// For each variable of an object the configurations of a region that count as such a part; same order. Empty set
     /// for primitive concepts and classes of composite parts.
     std::vector<ConfigurationSet> part_conditions;
     /// Configurations of a region on which composite parts hang, what belongs to them and what they count; without
@@ -173,7 +176,9 @@ struct Domain {
     [[nodiscard]] std::vector<std::pair<Iri, Iri>> hierarchy() const;
     /// Named concepts that no configuration satisfies.
     [[nodiscard]] std::vector<Iri> unsatisfiable() const;
-    std::vector<std::string> warnings;           ///< what a user should know: a property without algorithm …
+    std::vector<std::string> warnings;  ///< what a user should know of regions and composite parts: no algorithm …
+    /// The same of objects; lists them.
+    [[nodiscard]] std::vector<std::string> object_warnings() const;
     std::shared_ptr<const Grounding> grounding;  ///< set by compile; copies of a domain share it
 };
 

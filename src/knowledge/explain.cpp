@@ -104,7 +104,7 @@ bool follows(const Space& space, const ConfigurationSet& set, const Iri& iri) {
 }
 
 bool is_entailed(const Domain& domain, const Conclusions& conclusions, const Iri& concept_iri) {
-    return follows(domain.objects, conclusions.object, concept_iri) ||
+    return follows(*conclusions.objects, conclusions.object, concept_iri) ||
            std::ranges::any_of(conclusions.composites,
                                [&](const CompositePart& composite) {
                                    return follows(domain.composites[static_cast<std::size_t>(composite.group)].space,
@@ -125,23 +125,42 @@ public:
             holds_.push_back(yes_set(domain.regions, answer.question));
             if (test_ && !answer.yes) holds_.back() = holds_.back().complement();
         }
+        answers_of_.resize(static_cast<std::size_t>(knowledge.region_count));
+        for (std::size_t i = 0; i < knowledge.answers.size(); ++i)
+            answers_of_[knowledge.answers[i].region].push_back(i);
+        last_.resize(answers_of_.size());
     }
 
-    [[nodiscard]] bool follows(const std::vector<char>& answers, bool complete) const {
+    [[nodiscard]] bool follows(const std::vector<char>& answers, bool complete) {
         if (!test_) return concludes(answers, complete);
-        std::vector<ConfigurationSet> regions(static_cast<std::size_t>(knowledge_.region_count), domain_.regions.all());
-        for (std::size_t i = 0; i < answers.size(); ++i)
-            if (answers[i]) regions[knowledge_.answers[i].region] &= holds_[i];
         std::vector<ObjectTest::Types> types;
-        for (const ConfigurationSet& region : regions) {
-            if (iri_.empty() && region.is_empty()) return true;
-            types.push_back(test_->types_of(region));
+        for (std::size_t r = 0; r < answers_of_.size(); ++r) {
+            const Region& region = look_at(r, answers);
+            if (iri_.empty() && region.is_empty) return true;
+            types.push_back(region.types);
         }
         const ObjectTest::Outcome outcome = test_->ask(std::move(types), complete);
         return iri_.empty() ? !outcome.any : outcome.any && !outcome.other;
     }
 
 private:
+    struct Region {
+        std::optional<std::vector<char>> kept;  ///< of its answers
+        ObjectTest::Types types = 0;
+        bool is_empty = false;
+    };
+    /// Only computed when other answers are kept than last time.
+    const Region& look_at(std::size_t r, const std::vector<char>& answers) {
+        std::vector<char> kept;
+        for (const std::size_t i : answers_of_[r]) kept.push_back(answers[i]);
+        Region& region = last_[r];
+        if (region.kept == kept) return region;
+        ConfigurationSet set = domain_.regions.all();
+        for (const std::size_t i : answers_of_[r])
+            if (answers[i]) set &= holds_[i];
+        region = {std::move(kept), test_->types_of(set), set.is_empty()};
+        return region;
+    }
     [[nodiscard]] bool concludes(const std::vector<char>& answers, bool complete) const {
         Knowledge some = knowledge_;
         some.complete = complete;
@@ -156,7 +175,9 @@ private:
     const Knowledge& knowledge_;
     const Iri& iri_;
     std::optional<ObjectTest> test_;
-    std::vector<ConfigurationSet> holds_;  ///< by answer
+    std::vector<ConfigurationSet> holds_;               ///< by answer
+    std::vector<std::vector<std::size_t>> answers_of_;  ///< by region
+    std::vector<Region> last_;                          ///< by region
 };
 
 /// Leaves out those of `candidates` that can be left out of `kept`: all of them when `still_follows` then, else by
@@ -226,7 +247,7 @@ Explanation explain(const Domain& domain, const Knowledge& knowledge, const Iri&
         keep_regions([&](int region) { return region == region_asked; });
     }
 
-    const FromAnswers from(domain, knowledge, concept_iri, goal);
+    FromAnswers from(domain, knowledge, concept_iri, goal);
     if (complete) complete = !from.follows(answers, false);
     shrink(answers, places(answers), [&] { return from.follows(answers, complete); });
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -34,7 +35,8 @@ struct CompositePart {
 /// What follows from knowledge, layer by layer.
 struct Conclusions {
     std::vector<ConfigurationSet> regions;  ///< per region: what is still possible (empty: contradiction)
-    ConfigurationSet object;                ///< what is still possible for the object (incompatible ones included)
+    std::shared_ptr<const Space> objects;   ///< those configurations of an object that regions like these can make up
+    ConfigurationSet object;                ///< what is still possible of them (incompatible ones included)
     std::vector<CompositePart> composites;  ///< that there are in any case; by group, then by regions
     bool contradiction = false;             ///< some set is empty: answers and axioms cannot all hold
     std::vector<Iri> diagnoses;  ///< incompatible concepts that the object or a part of it is entailed to be; sorted

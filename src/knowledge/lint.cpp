@@ -179,7 +179,7 @@ public:
                           [&](const Concept& each) { return theory_.concepts[theory_.find(each.iri)].group < 0; });
             look_at_space(own, "composite part");
         }
-        look_at_space(domain_.objects, "object");
+        look_at_space(domain_.objects(), "object");
         look_at_features();
         look_at_numbers();
         look_at_relations();

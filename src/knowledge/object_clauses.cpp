@@ -18,6 +18,7 @@
 
 #include "base/errors.h"
 #include "knowledge/choices.h"
+#include "knowledge/formula_clauses.h"
 
 namespace partonomy::knowledge {
 namespace {
@@ -170,33 +171,16 @@ int ObjectClauses::literal(Member& member, FormulaId id) {
 }
 
 int ObjectClauses::make(Member& member, FormulaId id) {
-    const Formula& formula = theory_.formulas[id];
-    std::vector<int> operands;
-    for (const FormulaId operand : formula.operands) operands.push_back(literal(member, operand));
-    switch (formula.kind) {
-        case Formula::Kind::truth:
-            return clauses.always();
-        case Formula::Kind::falsity:
-            return clauses.never();
-        case Formula::Kind::conjunction:
-            return clauses.all_of(operands);
-        case Formula::Kind::disjunction:
-            return clauses.any_of(operands);
-        case Formula::Kind::negation:
-            return -operands[0];
-        case Formula::Kind::choice: {
-            const std::vector<int>& values = feature(member, static_cast<std::size_t>(formula.index));
-            formula.values.for_each([&](std::size_t value) { operands.push_back(values[value]); });
-            return clauses.any_of(operands);
-        }
-        case Formula::Kind::named:
-            return concept_literal(member, formula.index);
-        case Formula::Kind::parts:
-            break;
-    }
-    if (formula.threshold > parts_.size()) return clauses.never();
-    for (Member& part : parts_) operands.push_back(clauses.all_of({part.present, literal(part, formula.index)}));
-    return clauses.at_least(operands, formula.threshold);
+    const auto count_parts = [&](const Formula& formula) {
+        if (formula.threshold > parts_.size()) return clauses.never();
+        std::vector<int> members;
+        for (Member& part : parts_) members.push_back(clauses.all_of({part.present, literal(part, formula.index)}));
+        return clauses.at_least(members, formula.threshold);
+    };
+    return formula_literal(
+        clauses, theory_.formulas[id], [&](FormulaId operand) { return literal(member, operand); },
+        [&](std::size_t f) -> const std::vector<int>& { return feature(member, f); },
+        [&](int named) { return concept_literal(member, named); }, count_parts);
 }
 
 void ObjectClauses::require_constraints(Level level) {

@@ -237,37 +237,6 @@ std::vector<Counts> reachable_counts(const Parts& parts, const std::vector<Confi
     return counts;
 }
 
-void prepare_beyond(const Parts& parts, ObjectLayer& objects) {
-    const std::size_t n = objects.counts.size();
-    if (n * objects.layer.space.size > (std::size_t{1} << 20)) return;  // else it takes longer than all the rest
-    objects.beyond.assign(n, {});
-    for (std::size_t i = n; i-- > 0;) {  // one more part makes the word larger
-        ConfigurationSet set(objects.layer.space.size);
-        const auto [first, last] = objects.configurations[objects.row[i]];
-        for (std::size_t c = first; c < last; ++c) set.insert(c);
-        for (const Parts::Type& type : parts.types) {
-            const Counts more = parts.add(objects.counts[i], type);
-            if (more == objects.counts[i]) continue;
-            set |= objects.beyond[static_cast<std::size_t>(std::ranges::lower_bound(objects.counts, more) -
-                                                           objects.counts.begin())];
-        }
-        objects.beyond[i] = std::move(set);
-    }
-}
-
-ConfigurationSet with_more_parts(const Parts& parts, const ObjectLayer& objects, const std::vector<Counts>& counts) {
-    if (objects.beyond.empty()) {
-        std::vector<std::size_t> all(parts.types.size());
-        std::iota(all.begin(), all.end(), std::size_t{0});
-        return objects.of(with_any_more(parts, counts, all, std::numeric_limits<std::size_t>::max()));
-    }
-    ConfigurationSet result(objects.layer.space.size);
-    for (const Counts each : counts)
-        result |= objects.beyond[static_cast<std::size_t>(std::ranges::lower_bound(objects.counts, each) -
-                                                          objects.counts.begin())];
-    return result;
-}
-
 ConfigurationSet ObjectLayer::of(const std::vector<Counts>& some) const {
     ConfigurationSet result(layer.space.size);
     std::vector<char> wanted(configurations.size(), 0);

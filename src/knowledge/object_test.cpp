@@ -4,8 +4,9 @@
    that is no such thing? Of all that objects count, only what the question rests on matters (its cone): part classes
    beyond it are forgotten, those that remain are counted to the thresholds that remain, and types of parts that differ
    in nothing else become one. A few dozen vectors of counts are left of thousands; each is judged once, by walking
-   the formulas, and remembered. Cost: (vectors reached) x (types) for each region that is open, and next to nothing for
-   one that is sure. */
+   the formulas, and remembered. Mostly there is such an object, and one of the first few ways to choose a type for each
+   open region is one; only when a hundred of them are not, all vectors are reached, one region after the other. Cost
+   then: (vectors reached) x (types) for each region that is open, and next to nothing for one that is sure. */
 
 #include "knowledge/object_test.h"
 
@@ -17,7 +18,10 @@
 namespace partonomy::knowledge {
 namespace {
 
-constexpr unsigned most_bits = 16;  // of a vector of counts: tables are indexed by it
+constexpr std::size_t most_types = 63;    // a bit for each
+constexpr Counts no_counts = ~Counts{0};  // no count is as high as that in all classes
+constexpr std::size_t slots_in_the_beginning = 256;
+constexpr int most_tries = 100;
 
 /// The `parts` formulas that the goals and the constraints of objects rest on; nullopt when what is needed to judge
 /// them is more than part counts.
@@ -105,9 +109,7 @@ std::optional<ObjectTest> ObjectTest::about(const Domain& domain, std::span<cons
     ObjectTest test(domain, goals);
     Parts& parts = test.parts_;
     parts = restricted(domain.grounding->assembly.parts, cone.atoms);
-    unsigned bits = 0;
-    for (const Parts::PartClass& part : parts.classes) bits += static_cast<unsigned>(std::bit_width(part.cap));
-    if (bits > most_bits || parts.types.size() > 63) return std::nullopt;
+    if (parts.types.size() > most_types) return std::nullopt;
     for (const Parts::Type& type : parts.types) {
         std::vector<Step>& steps = test.steps_.emplace_back();
         for (const std::size_t c : type.classes) {
@@ -116,8 +118,7 @@ std::optional<ObjectTest> ObjectTest::about(const Domain& domain, std::span<cons
             steps.push_back({mask << part.shift, Counts{part.cap} << part.shift, Counts{1} << part.shift});
         }
     }
-    test.judged_.assign(std::size_t{1} << bits, Judgement::none);
-    test.met_.assign(std::size_t{1} << bits, 0);
+    test.slots_.assign(slots_in_the_beginning, {no_counts});
     return test;
 }
 
@@ -160,17 +161,49 @@ bool ObjectTest::holds(FormulaId id, Counts counts) const {
     return false;
 }
 
+bool ObjectTest::is_possible(Counts counts) const {
+    return std::ranges::all_of(theory_->constraints, [&](const Constraint& constraint) {
+        return constraint.level != Level::object || holds(constraint.formula, counts);
+    });
+}
+
 ObjectTest::Outcome ObjectTest::judge(Counts counts) const {
-    Judgement& judged = judged_[counts];
+    Judgement& judged = slot_of(counts).judged;
     if (judged == Judgement::none) {
-        const bool is_possible = std::ranges::all_of(theory_->constraints, [&](const Constraint& constraint) {
-            return constraint.level != Level::object || holds(constraint.formula, counts);
-        });
         const bool is_goal = std::ranges::any_of(goals_, [&](int goal) { return is_member(goal, counts); });
-        judged = !is_possible ? Judgement::impossible : is_goal ? Judgement::goal : Judgement::other;
+        judged = !is_possible(counts) ? Judgement::impossible : is_goal ? Judgement::goal : Judgement::other;
     }
     return {judged != Judgement::impossible, judged == Judgement::other};
 }
+
+Counts ObjectTest::add(Counts counts, const std::vector<Step>& steps) {
+    Counts more = counts;
+    for (const Step& step : steps)
+        if ((counts & step.mask) != step.full) more += step.one;
+    return more;
+}
+
+ObjectTest::Slot& ObjectTest::slot_of(Counts counts) const {
+    const auto place = [&](Counts each) -> Slot& {
+        const int shift = 64 - std::countr_zero(slots_.size());
+        auto at = static_cast<std::size_t>(each * 0x9E3779B97F4A7C15U >> shift);
+        while (slots_[at].counts != each && slots_[at].counts != no_counts) at = (at + 1) % slots_.size();
+        return slots_[at];
+    };
+    if (2 * known_ > slots_.size()) {
+        const std::vector<Slot> old = std::exchange(slots_, std::vector<Slot>(2 * slots_.size(), Slot{no_counts}));
+        for (const Slot& slot : old)
+            if (slot.counts != no_counts) place(slot.counts) = slot;
+    }
+    Slot& slot = place(counts);
+    if (slot.counts == no_counts) {
+        slot.counts = counts;
+        ++known_;
+    }
+    return slot;
+}
+
+bool ObjectTest::is_new(Counts counts) const { return std::exchange(slot_of(counts).met, step_) != step_; }
 
 bool ObjectTest::add_part(Types types) const {
     ++step_;
@@ -178,16 +211,44 @@ bool ObjectTest::add_part(Types types) const {
     for (; types != 0; types &= types - 1) {
         const std::vector<Step>& steps = steps_[static_cast<std::size_t>(std::countr_zero(types))];
         for (const Counts each : reached_) {
-            Counts more = each;
-            for (const Step& step : steps)
-                if ((each & step.mask) != step.full) more += step.one;
-            if (std::exchange(met_[more], step_) != step_) next_.push_back(more);
+            const Counts more = add(each, steps);
+            if (is_new(more)) next_.push_back(more);
         }
     }
     const bool is_more = next_.size() != reached_.size() ||
-                         std::ranges::any_of(reached_, [&](Counts each) { return met_[each] != step_; });
+                         std::ranges::any_of(reached_, [&](Counts each) { return slot_of(each).met != step_; });
     std::swap(reached_, next_);
     return is_more;
+}
+
+template <typename GoOn>
+void ObjectTest::add_parts(const GoOn& go_on) const {
+    ++step_;
+    for (const Counts each : reached_) static_cast<void>(is_new(each));
+    for (std::size_t next = 0; next < reached_.size() && go_on(reached_[next]); ++next)
+        for (const std::vector<Step>& steps : steps_)
+            if (const Counts more = add(reached_[next], steps); is_new(more)) reached_.push_back(more);
+}
+
+bool ObjectTest::is_below(int sub, int super) const {
+    bool result = true;
+    reached_.assign(1, 0);
+    add_parts([&](Counts counts) {
+        return result = !is_member(sub, counts) || is_member(super, counts) || !is_possible(counts);
+    });
+    return result;
+}
+
+bool ObjectTest::finds_other(std::span<const Types> regions, Counts counts, int& tries) const {
+    if (regions.empty()) {
+        --tries;
+        return judge(counts).other;
+    }
+    for (Types types = regions.front(); types != 0 && tries > 0; types &= types - 1)
+        if (finds_other(regions.subspan(1), add(counts, steps_[static_cast<std::size_t>(std::countr_zero(types))]),
+                        tries))
+            return true;
+    return false;
 }
 
 ObjectTest::Outcome ObjectTest::ask(std::vector<Types> regions, bool complete) const {
@@ -195,28 +256,26 @@ ObjectTest::Outcome ObjectTest::ask(std::vector<Types> regions, bool complete) c
         const int a_count = std::popcount(a), b_count = std::popcount(b);
         return a_count != b_count ? a_count < b_count : a < b;
     });
-    reached_.assign(1, 0);
-    for (std::size_t i = 0; i < regions.size(); ++i) {
-        if (std::has_single_bit(regions[i]) && reached_.size() == 1)
-            reached_[0] = parts_.add(reached_[0], parts_.types[static_cast<std::size_t>(std::countr_zero(regions[i]))]);
-        else if (!add_part(regions[i]))  // nor would another such part change anything
-            while (i + 1 < regions.size() && regions[i + 1] == regions[i]) ++i;
-    }
-    if (!complete) {
-        ++step_;
-        for (const Counts each : reached_) met_[each] = step_;
-        for (std::size_t next = 0; next < reached_.size(); ++next)
-            for (const Parts::Type& type : parts_.types)
-                if (const Counts more = parts_.add(reached_[next], type); std::exchange(met_[more], step_) != step_)
-                    reached_.push_back(more);
-    }
+    std::size_t next = 0;
+    Counts sure = 0;
+    for (; next < regions.size() && std::has_single_bit(regions[next]); ++next)
+        sure = add(sure, steps_[static_cast<std::size_t>(std::countr_zero(regions[next]))]);
+    if (int tries = most_tries; finds_other(std::span(regions).subspan(next), sure, tries)) return {true, true};
+    reached_.assign(1, sure);
+    for (; next < regions.size(); ++next)
+        if (!add_part(regions[next]))  // nor would another such part change anything
+            while (next + 1 < regions.size() && regions[next + 1] == regions[next]) ++next;
     Outcome outcome;
-    for (const Counts counts : reached_) {
+    const auto look_at = [&](Counts counts) {
         const Outcome one = judge(counts);
         outcome.any |= one.any;
         outcome.other |= one.other;
-        if (outcome.other) break;
-    }
+        return !outcome.other;
+    };
+    if (complete)
+        static_cast<void>(std::ranges::all_of(reached_, look_at));
+    else
+        add_parts(look_at);
     return outcome;
 }
 

@@ -21,33 +21,50 @@ public:
     };
 
     /// About some concepts of objects (of the theory). nullopt where concepts without definition or composite parts
-    /// come in, or too many counts: then only conclude() can tell. The domain must outlive it.
+    /// come in, or too many types of parts: then only conclude() can tell. The domain must outlive it.
     [[nodiscard]] static std::optional<ObjectTest> about(const Domain& domain, std::span<const int> goals);
 
     /// An empty set (a contradiction) tells nothing about its region.
     [[nodiscard]] Types types_of(const ConfigurationSet& region) const;
     /// Of objects that consist of these regions, and of any others unless `complete`.
     [[nodiscard]] Outcome ask(std::vector<Types> regions, bool complete) const;
+    /// Whether every object that is one goal is the other, too.
+    [[nodiscard]] bool is_below(int sub, int super) const;
 
 private:
     ObjectTest(const Domain& domain, std::span<const int> goals);
-    [[nodiscard]] bool holds(FormulaId formula, Counts counts) const;
-    [[nodiscard]] bool is_member(int concept_id, Counts counts) const;
-    [[nodiscard]] Outcome judge(Counts counts) const;
-    /// Adds a part of one of `types` to each of `reached_`; false when that changes nothing.
-    bool add_part(Types types) const;
-
-    enum class Judgement : std::uint8_t { none, impossible, goal, other };
-
-    const Theory* theory_;
-    std::vector<int> goals_;
-    Parts parts_;  ///< that the goals and the constraints count
+    /// What one more part adds to the count of one class.
     struct Step {
         Counts mask, full, one;
     };
-    std::vector<std::vector<Step>> steps_;    ///< by type: what one more part adds
-    mutable std::vector<Judgement> judged_;   ///< by counts
-    mutable std::vector<std::uint32_t> met_;  ///< by counts: in which step last
+    enum class Judgement : std::uint8_t { none, impossible, goal, other };
+    /// What is known of a vector of counts.
+    struct Slot {
+        Counts counts;
+        std::uint32_t met = 0;  ///< in which step last
+        Judgement judged = Judgement::none;
+    };
+    [[nodiscard]] Slot& slot_of(Counts counts) const;
+    [[nodiscard]] bool is_new(Counts counts) const;  ///< to this step
+    [[nodiscard]] static Counts add(Counts counts, const std::vector<Step>& steps);
+    [[nodiscard]] bool holds(FormulaId formula, Counts counts) const;
+    [[nodiscard]] bool is_member(int concept_id, Counts counts) const;
+    [[nodiscard]] Outcome judge(Counts counts) const;
+    [[nodiscard]] bool is_possible(Counts counts) const;
+    /// Tries some of the choices of a type for each region; true when one of them leads to no goal.
+    [[nodiscard]] bool finds_other(std::span<const Types> regions, Counts counts, int& tries) const;
+    /// Adds a part of one of `types` to each of `reached_`; false when that changes nothing.
+    bool add_part(Types types) const;
+    /// Adds any number of parts, fewer first, as long as `go_on` says so of what was reached.
+    template <typename GoOn>
+    void add_parts(const GoOn& go_on) const;
+
+    const Theory* theory_;
+    std::vector<int> goals_;
+    Parts parts_;                           ///< that the goals and the constraints count
+    std::vector<std::vector<Step>> steps_;  ///< by type: what one more part adds
+    mutable std::vector<Slot> slots_;       ///< a hash table
+    mutable std::size_t known_ = 0;         ///< slots that are taken
     mutable std::uint32_t step_ = 0;
     mutable std::vector<Counts> reached_, next_;
 };

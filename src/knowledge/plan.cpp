@@ -41,13 +41,12 @@ void offer(std::vector<Scored>& best, Scored scored, std::size_t most) {
     if (best.size() > most) best.pop_back();
 }
 
-/// Classes of configurations that agree on all of `wanted`.
-std::vector<ConfigurationSet> label_classes(const Space& space, const std::vector<ConceptId>& wanted) {
+/// Classes of the configurations of a space, `all`, that agree on each of `concepts`.
+std::vector<ConfigurationSet> label_classes(ConfigurationSet all, const std::vector<ConfigurationSet>& concepts) {
     std::vector<ConfigurationSet> classes;
-    if (wanted.empty()) return classes;
-    classes.push_back(space.all());
-    for (const ConceptId id : wanted) {
-        const ConfigurationSet& where = space.concepts[id].where;
+    if (concepts.empty()) return classes;
+    classes.push_back(std::move(all));
+    for (const ConfigurationSet& where : concepts) {
         std::vector<ConfigurationSet> finer;
         for (ConfigurationSet& each : classes) {
             ConfigurationSet inside = each & where;
@@ -71,8 +70,17 @@ ConfigurationSet yes_set(const Space& space, Question question) {
     return result;
 }
 
-Planner::Planner(const Space& space, PlanOptions options) : space_(&space), options_(std::move(options)) {
-    if (!space.diagram) labels_ = label_classes(space, options_.wanted);
+Planner::Planner(const Space& space, PlanOptions options) : Planner(space, std::move(options), space.all()) {}
+
+Planner::Planner(const Space& space, PlanOptions options, const ConfigurationSet& within)
+    : space_(&space), options_(std::move(options)) {
+    if (!space.diagram && within.count() < space.size) within_ = within;
+    possible_ = packed(space.possible);
+    if (!space.diagram) {
+        std::vector<ConfigurationSet> concepts;
+        for (const ConceptId id : options_.wanted) concepts.push_back(packed(space.concepts[id].where));
+        labels_ = label_classes(packed(space.all()), concepts);
+    }
     for (std::size_t v = 0; v < space.variables.size(); ++v) {
         const Variable& variable = space.variables[v];
         std::size_t questions = variable.values.size();
@@ -80,30 +88,32 @@ Planner::Planner(const Space& space, PlanOptions options) : space_(&space), opti
         if (variable.kind >= VariableKind::relation) questions = 1;  // yes or no
         for (std::size_t k = 0; k < questions; ++k) {
             const Question question{static_cast<VariableId>(v), static_cast<ValueId>(k)};
-            candidates_.push_back({question, knowledge::yes_set(space, question), variable.answerable});
+            candidates_.push_back({question, packed(knowledge::yes_set(space, question)), variable.answerable});
         }
     }
 }
+
+ConfigurationSet Planner::packed(const ConfigurationSet& set) const { return within_ ? set.packed(*within_) : set; }
 
 std::optional<double> Planner::cost(const Candidate& candidate) const {
     if (options_.cost) return options_.cost(candidate.question);
     return candidate.answerable ? std::optional(1.0) : std::nullopt;
 }
 
-const ConfigurationSet& Planner::yes_set(Question question) const {
-    return std::ranges::lower_bound(candidates_, question, {}, &Candidate::question)->yes;
-}
+bool Planner::is_decided(const ConfigurationSet& set) const { return is_decided_packed(packed(set)); }
 
-bool Planner::is_decided(const ConfigurationSet& set) const {
+bool Planner::is_decided_packed(const ConfigurationSet& set) const {
     if (space_->diagram) return knowledge::is_decided(*space_, set, options_);
     if (labels_.empty()) return set.count() <= 1;
     return std::ranges::count_if(labels_, [&](const ConfigurationSet& label) { return label.intersects(set); }) <= 1;
 }
 
-std::optional<Question> Planner::best(const ConfigurationSet& set) const {
-    if (is_decided(set)) return std::nullopt;
-    const ConfigurationSet possible = set & space_->possible;
-    if (!is_decided(possible))
+std::optional<Question> Planner::best(const ConfigurationSet& set) const { return best_packed(packed(set)); }
+
+std::optional<Question> Planner::best_packed(const ConfigurationSet& set) const {
+    if (is_decided_packed(set)) return std::nullopt;
+    const ConfigurationSet possible = set & possible_;
+    if (!is_decided_packed(possible))
         if (const std::optional<Question> question = look_ahead(possible)) return question;
     return look_ahead(set);
 }
@@ -126,24 +136,46 @@ std::optional<Question> Planner::best_compiled(const ConfigurationSet& set, cons
     return best ? std::optional(asked[*best]->question) : std::nullopt;
 }
 
-std::optional<Question> Planner::best_about(const ConfigurationSet& set, const ConfigurationSet& condition) const {
-    if (space_->diagram) return best_compiled(set, condition.literals(), true);
-    const auto all = static_cast<double>(set.count());
+std::optional<Question> Planner::best_about(const ConfigurationSet& whole_set,
+                                            const ConfigurationSet& condition) const {
+    if (space_->diagram) return best_compiled(whole_set, condition.literals(), true);
+    const ConfigurationSet set = packed(whole_set);
     const auto entropy_of = [](double yes, double n) {
         return n > 0 ? (entropy_sum(n) - entropy_sum(yes) - entropy_sum(n - yes)) / n : 0;
     };
-    const double open = entropy_of(static_cast<double>(set.count_common(condition)), all);
-    const ConfigurationSet inside = set & condition;
+    const ConfigurationSet inside = set & packed(condition);
+    struct Asked {
+        const Candidate* candidate;
+        double price;
+    };
+    std::vector<Asked> asked;
+    for (const Candidate& candidate : candidates_)
+        if (const std::optional<double> price = cost(candidate)) asked.push_back({&candidate, *price});
+    /// What the answer tells when `within` is possible and `good` what is wanted of it; 0 when it is known.
+    const auto gain = [&](const Candidate& candidate, const ConfigurationSet& within, const ConfigurationSet& good) {
+        const auto all = static_cast<double>(within.count()), all_good = static_cast<double>(good.count());
+        const auto yes = static_cast<double>(within.count_common(candidate.yes)), no = all - yes;
+        if (yes == 0 || no == 0) return 0.0;
+        const auto yes_good = static_cast<double>(good.count_common(candidate.yes));
+        const double left = (yes * entropy_of(yes_good, yes) + no * entropy_of(all_good - yes_good, no)) / all;
+        const double told = entropy_of(all_good, all) - left;
+        return told > 1e-12 ? told : 0.0;
+    };
     Best best;
-    for (const Candidate& candidate : candidates_) {
-        const std::optional<double> price = cost(candidate);
-        if (!price) continue;
-        const auto yes = static_cast<double>(set.count_common(candidate.yes)), no = all - yes;
-        if (yes == 0 || no == 0) continue;
-        const auto yes_inside = static_cast<double>(inside.count_common(candidate.yes));
-        const auto no_inside = static_cast<double>(inside.count()) - yes_inside;
-        const double left = (yes * entropy_of(yes_inside, yes) + no * entropy_of(no_inside, no)) / all;
-        if (open - left > 1e-12) best.offer(candidate.question, (open - left) / *price);
+    for (const auto& [candidate, price] : asked)
+        if (const double told = gain(*candidate, set, inside); told > 0) best.offer(candidate->question, told / price);
+    if (best.question || inside.is_empty() || inside == set) return best.question;
+    // Nothing tells alone; of an exclusive or, one answer makes the next one tell.
+    for (const auto& [candidate, price] : asked) {
+        double told = 0;
+        for (const ConfigurationSet& half : {set & candidate->yes, set - candidate->yes}) {
+            const ConfigurationSet good = inside & half;
+            double most = 0;
+            for (const auto& [next, next_price] : asked)
+                most = std::max(most, gain(*next, half, good) / (price + next_price));
+            told += most * static_cast<double>(half.count());
+        }
+        if (told > 0) best.offer(candidate->question, told / static_cast<double>(set.count()));
     }
     return best.question;
 }
@@ -180,7 +212,9 @@ std::vector<Planner::Scored> Planner::ranking(const ConfigurationSet& set, std::
     return gain.empty() ? even : gain;
 }
 
-std::optional<Question> Planner::best_split(const ConfigurationSet& set) const {
+std::optional<Question> Planner::best_split(const ConfigurationSet& set) const { return split_packed(packed(set)); }
+
+std::optional<Question> Planner::split_packed(const ConfigurationSet& set) const {
     if (space_->diagram) {
         std::vector<int> wanted;
         for (const ConceptId id : options_.wanted) wanted.push_back(space_->concepts[id].where.literals()[0]);
@@ -196,7 +230,7 @@ double Planner::price(const Candidate& candidate) const {
 }
 
 std::optional<double> Planner::price_of(const ConfigurationSet& set, std::size_t& budget) const {
-    if (is_decided(set)) return 0;
+    if (is_decided_packed(set)) return 0;
     if (const auto found = prices_.find(set); found != prices_.end()) return found->second;
     if (budget == 0) return std::nullopt;
     --budget;
@@ -211,7 +245,7 @@ std::optional<double> Planner::price_of(const ConfigurationSet& set, std::size_t
 
 std::optional<Question> Planner::look_ahead(const ConfigurationSet& set) const {
     const bool is_wise = options_.breadth > 1 && options_.criterion != SplitCriterion::dichotomy && !labels_.empty();
-    if (space_->diagram || !is_wise) return best_split(set);
+    if (space_->diagram || !is_wise) return split_packed(set);
     std::size_t budget = look_ahead_budget;
     std::optional<Question> best;
     double least = 0;
@@ -229,7 +263,8 @@ std::optional<Question> Planner::look_ahead(const ConfigurationSet& set) const {
     return best;
 }
 
-std::optional<Question> Planner::cheapest_yes(const ConfigurationSet& set) const {
+std::optional<Question> Planner::cheapest_yes(const ConfigurationSet& whole_set) const {
+    const ConfigurationSet set = packed(whole_set);
     Best best;
     for (const Candidate& candidate : candidates_) {
         if (!set.is_subset_of(candidate.yes)) continue;

@@ -53,7 +53,7 @@ Goal find_goal(const Domain& domain, const Conclusions& known, const Iri& iri, i
     } else {
         goal.id = domain.grounding->theory.find(iri);
         goal.regions = all_but_empty(known.regions);
-        if (is_in(domain.objects, known.object, iri)) return goal;
+        if (is_in(*known.objects, known.object, iri)) return goal;
         goal.level = Level::region;
         for (const int r : goal.regions)
             if ((region < 0 || r == region) && is_in(domain.regions, known.regions[r], iri)) {
@@ -194,8 +194,8 @@ std::vector<Correction> cheapest_changes(const Domain& domain, const Knowledge& 
     const Theory& theory = domain.grounding->theory;
     std::vector<int> unwanted;  // concepts of the object that must not hold
     if (goal.id >= 0 && goal.level == Level::object) unwanted.push_back(goal.id);
-    for (const Concept& each : domain.objects.concepts)
-        if (each.incompatible && !is_in(domain.objects, known.object, each.iri))
+    for (const Concept& each : known.objects->concepts)
+        if (each.incompatible && !is_in(*known.objects, known.object, each.iri))
             unwanted.push_back(theory.find(each.iri));
 
     ObjectClauses object(theory, false);

@@ -220,7 +220,8 @@ Layer build_regions(const Theory& theory, const Scope& scope, const CompileOptio
     for (const Variable& variable : space.variables) {
         run /= variable.values.size();
         std::vector<ConfigurationSet> holds(variable.values.size(), ConfigurationSet(space.size));
-        for (std::size_t i = 0; i < space.size; ++i) holds[(i / run) % holds.size()].insert(i);
+        for (std::size_t i = 0, value = 0; i < space.size; i += run, value = value + 1 == holds.size() ? 0 : value + 1)
+            holds[value].insert_range(i, i + run);
         space.holds.push_back(std::move(holds));
     }
     close_layer(theory, scope, {Level::region, -1}, layer);

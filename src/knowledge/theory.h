@@ -213,20 +213,13 @@ struct Parts {
 
 struct ObjectLayer {
     Layer layer;
-    std::vector<Counts> counts;                    ///< ascending
-    std::vector<std::size_t> row;                  ///< of each of `counts`: which assignment of atoms it is
+    std::vector<Counts> counts;    ///< ascending
+    std::vector<std::size_t> row;  ///< of each of `counts`: which assignment of atoms it is
     std::vector<std::pair<std::size_t, std::size_t>> configurations;  ///< by row: first, and the one after the last
-    std::vector<ConfigurationSet> beyond;          ///< by count: with any more parts, too; empty unless prepared
 
     /// The configurations that belong to any of `some`.
     [[nodiscard]] ConfigurationSet of(const std::vector<Counts>& some) const;
 };
-/// Fills `beyond`, unless it would take too much memory. `objects` must have all counts that there are.
-void prepare_beyond(const Parts& parts, ObjectLayer& objects);
-/// The configurations of `counts` with any number of more parts of any type.
-[[nodiscard]] ConfigurationSet with_more_parts(const Parts& parts, const ObjectLayer& objects,
-                                               const std::vector<Counts>& counts);
-
 /// The configurations of an object, or of a composite part, whose part counts are among `counts`.
 [[nodiscard]] ObjectLayer build_objects(const Theory& theory, const Scope& scope, Subject subject, const Parts& parts,
                                         std::vector<Counts> counts, std::size_t limit);

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <random>
+#include <set>
 
 #include "knowledge/explain.h"
 #include "mini.h"
@@ -149,6 +150,17 @@ struct Random {
                      object_expression(object_expression, 1));
     }
 };
+
+/// Which of the space's concepts hold, for each configuration in `set`.
+inline std::set<std::vector<bool>> rows_in(const knowledge::Space& space, const knowledge::ConfigurationSet& set) {
+    std::set<std::vector<bool>> rows;
+    set.for_each([&](std::size_t i) {
+        std::vector<bool> row;
+        for (const knowledge::Concept& each : space.concepts) row.push_back(each.where.has(i));
+        rows.insert(row);
+    });
+    return rows;
+}
 
 /// Gives each class in `names` its truth value, both where its axiom is not kept, and keeps what meets the constraints.
 inline std::vector<Classes> classify(const Random& random, const std::vector<std::string>& names,

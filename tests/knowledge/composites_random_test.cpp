@@ -4,6 +4,7 @@
 #include <map>
 #include <random>
 
+#include "brute.h"
 #include "knowledge/explain.h"
 #include "mini.h"
 
@@ -213,16 +214,6 @@ private:
     std::map<std::string, Names> own_mentions_;
 };
 
-std::set<std::vector<bool>> rows_in(const Space& space, const ConfigurationSet& set) {
-    std::set<std::vector<bool>> rows;
-    set.for_each([&](std::size_t i) {
-        std::vector<bool> row;
-        for (const Concept& each : space.concepts) row.push_back(each.where.has(i));
-        rows.insert(row);
-    });
-    return rows;
-}
-
 /// Calls `visit(regions, composite parts)` for every choice of values.
 template <typename Visit>
 void for_each_choice(const Random& random, std::size_t count, const std::vector<std::pair<int, int>>& connected,
@@ -300,7 +291,7 @@ TEST(CompositesRandom, ConclusionsAreWhatEveryChoiceShares) {
                         });
         const Conclusions known = conclude(domain, knowledge);
         if (std::ranges::any_of(known.regions, [](const auto& set) { return set.is_empty(); })) continue;
-        EXPECT_EQ(rows_in(domain.objects, known.object), rows);
+        EXPECT_EQ(brute::rows_in(domain.objects(), known.object), rows);
         EXPECT_EQ(known.contradiction, choices == 0);
         if (choices == 0) continue;
         std::multiset<std::pair<std::set<int>, Names>> ours, theirs;
@@ -336,7 +327,7 @@ TEST(CompositesRandom, SpacesHoldEveryObject) {
                     ontology, count, connected, [](std::size_t, const std::string&) { return true; },
                     [&](const auto& regions, const auto& made) { rows.insert(row_of(ontology, regions, made)); });
             }
-        const auto ours = rows_in(domain.objects, domain.objects.all());
+        const auto ours = brute::rows_in(domain.objects(), domain.objects().all());
         EXPECT_TRUE(std::ranges::includes(ours, rows));
         exact += ours == rows;
         ++tried;

@@ -13,7 +13,7 @@ std::string error_of(const owl::Ontology& ontology, std::size_t limit = 1 << 20)
     knowledge::CompileOptions options;
     options.configuration_limit = limit;
     try {
-        (void)knowledge::compile(ontology, options);
+        (void)knowledge::compile(ontology, options).objects();
     } catch (const OntologyError& error) {
         return error.what();
     }

@@ -52,8 +52,9 @@ Knowledge known(const std::vector<Part>& parts) {
 
 std::vector<std::string> classes(const Knowledge& knowledge) {
     std::vector<Iri> iris;
-    for (const ConceptId id : entailed(furniture().objects, conclude(furniture(), knowledge).object))
-        iris.push_back(furniture().objects.concepts[static_cast<std::size_t>(id)].iri);
+    const Conclusions conclusions = conclude(furniture(), knowledge);
+    for (const ConceptId id : entailed(*conclusions.objects, conclusions.object))
+        iris.push_back(conclusions.objects->concepts[static_cast<std::size_t>(id)].iri);
     std::vector<std::string> names;
     for (const Iri& iri : furniture().most_specific(iris)) names.push_back(owl::local_name(iri));
     return names;
@@ -71,9 +72,9 @@ TEST(Furniture, Sizes) {
     EXPECT_EQ(domain.regions.concepts[*domain.regions.find(term("Leg"))].where.count(), 288U / 3);
     EXPECT_EQ(domain.regions.concepts[*domain.regions.find(term("Seat"))].where.count(),
               288U / 2 / 3 * 2 / 3 + 288U / 2 / 3 / 3 / 4);
-    EXPECT_EQ(domain.objects.product, 2048U);
-    EXPECT_EQ(domain.objects.variables.size(), domain.part_conditions.size());
-    EXPECT_LT(domain.objects.size, 1000U);
+    EXPECT_EQ(domain.objects().product, 2048U);
+    EXPECT_EQ(domain.objects().variables.size(), domain.part_conditions.size());
+    EXPECT_LT(domain.objects().size, 1000U);
     EXPECT_TRUE(domain.unsatisfiable().empty());
     for (const std::string& warning : domain.warnings) ADD_FAILURE() << warning;
 }

@@ -176,7 +176,7 @@ TEST(QuestionQuality, NeverWorseThanDichotomyOnFurniture) {
         });
         return static_cast<double>(sum) / static_cast<double>(space.possible.count());
     };
-    for (const Space* space : {&domain.regions, &domain.objects}) {
+    for (const Space* space : {&domain.regions, &domain.objects()}) {
         const double dichotomy = questions(*space, SplitCriterion::dichotomy);
         for (const SplitCriterion criterion : {SplitCriterion::entropy, SplitCriterion::gain_per_cost}) {
             const double ours = questions(*space, criterion);

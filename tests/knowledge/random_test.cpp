@@ -15,16 +15,6 @@ std::vector<bool> row_of(const brute::Classes& classes) {
     return row;
 }
 
-std::set<std::vector<bool>> rows_in(const Space& space, const ConfigurationSet& set) {
-    std::set<std::vector<bool>> rows;
-    set.for_each([&](std::size_t i) {
-        std::vector<bool> row;
-        for (const Concept& each : space.concepts) row.push_back(each.where.has(i));
-        rows.insert(row);
-    });
-    return rows;
-}
-
 unsigned parts_that_matter(const Space& objects) {
     std::map<std::string, unsigned> caps;
     for (const Variable& variable : objects.variables) {
@@ -55,11 +45,11 @@ TEST(Random, SpacesAreWhatPartsRealise) {
             continue;
         }
         EXPECT_EQ(domain.regions.size, brute::all_regions(ontology, kept).size());
-        const unsigned enough = parts_that_matter(domain.objects);
+        const unsigned enough = parts_that_matter(domain.objects());
         std::set<std::vector<bool>> rows;
         brute::for_each_object(ontology, {}, kept, {}, static_cast<int>(std::min(enough, 4U)),
                                [&](const brute::Classes& classes) { rows.insert(row_of(classes)); });
-        const auto ours = rows_in(domain.objects, domain.objects.all());
+        const auto ours = brute::rows_in(domain.objects(), domain.objects().all());
         EXPECT_TRUE(std::ranges::includes(ours, rows));
         if (enough <= 4) {
             EXPECT_EQ(ours, rows);
@@ -83,7 +73,7 @@ TEST(Random, ConclusionsAreEntailments) {
             continue;
         }
         Knowledge knowledge = brute::random_knowledge(random, ontology);
-        const unsigned enough = parts_that_matter(domain.objects);
+        const unsigned enough = parts_that_matter(domain.objects());
         if (!knowledge.complete && enough > 2) knowledge.complete = true;
         const Conclusions conclusions = conclude(domain, knowledge);
         std::set<std::vector<bool>> rows;
@@ -95,7 +85,7 @@ TEST(Random, ConclusionsAreEntailments) {
             EXPECT_TRUE(conclusions.contradiction);
             continue;
         }
-        EXPECT_EQ(rows_in(domain.objects, conclusions.object), rows);
+        EXPECT_EQ(brute::rows_in(*conclusions.objects, conclusions.object), rows);
         EXPECT_EQ(conclusions.contradiction, rows.empty());
         ++checked;
     }
@@ -114,14 +104,15 @@ TEST(Random, ExplanationsAreMinimal) {
         } catch (const OntologyError&) {
             continue;
         }
-        const int enough = static_cast<int>(parts_that_matter(domain.objects));
+        const int enough = static_cast<int>(parts_that_matter(domain.objects()));
         if (enough > 3) continue;
         const Knowledge knowledge = brute::random_knowledge(random, ontology);
         const Conclusions conclusions = conclude(domain, knowledge);
         if (conclusions.contradiction) continue;
-        const auto classes = entailed(domain.objects, conclusions.object);
+        const auto classes = entailed(*conclusions.objects, conclusions.object);
         if (classes.empty()) continue;
-        const Iri goal = domain.objects.concepts[static_cast<std::size_t>(classes[random() % classes.size()])].iri;
+        const Iri goal =
+            conclusions.objects->concepts[static_cast<std::size_t>(classes[random() % classes.size()])].iri;
         const Explanation explanation = explain(domain, knowledge, goal);
 
         std::vector<char> kept(domain.ontology.axioms.size(), 0), answers(knowledge.answers.size(), 0);

@@ -99,9 +99,10 @@ TEST(ReasonsHermit, AgreesThatExplanationsAreMinimal) {
         }
         const Knowledge knowledge = brute::random_knowledge(random, ontology);
         const Conclusions conclusions = conclude(domain, knowledge);
-        const auto classes = entailed(domain.objects, conclusions.object);
+        const auto classes = entailed(*conclusions.objects, conclusions.object);
         if (conclusions.contradiction || classes.empty()) continue;
-        const Iri goal = domain.objects.concepts[static_cast<std::size_t>(classes[random() % classes.size()])].iri;
+        const Iri goal =
+            conclusions.objects->concepts[static_cast<std::size_t>(classes[random() % classes.size()])].iri;
         for (const Explanation& each : all_explanations(domain, knowledge, goal).sets) {
             const std::size_t size = each.axioms.size() + each.answers.size() + (each.needs_completeness ? 1 : 0);
             if (size < 3) continue;

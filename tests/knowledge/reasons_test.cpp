@@ -37,14 +37,14 @@ struct Case {
         } catch (const OntologyError&) {
             return std::nullopt;
         }
-        made.further = static_cast<int>(parts_that_matter(made.domain.objects));
+        made.further = static_cast<int>(parts_that_matter(made.domain.objects()));
         if (made.further > 3) return std::nullopt;
         made.knowledge = brute::random_knowledge(random, made.ontology);
         const Conclusions conclusions = conclude(made.domain, made.knowledge);
         if (conclusions.contradiction) return std::nullopt;
-        const auto classes = entailed(made.domain.objects, conclusions.object);
+        const auto classes = entailed(*conclusions.objects, conclusions.object);
         if (classes.empty()) return std::nullopt;
-        made.goal = made.domain.objects.concepts[static_cast<std::size_t>(classes[random() % classes.size()])].iri;
+        made.goal = conclusions.objects->concepts[static_cast<std::size_t>(classes[random() % classes.size()])].iri;
         return made;
     }
 
@@ -125,8 +125,8 @@ TEST(Reasons, CorrectionsAreTheCheapestChanges) {
                     set.push_back(i);
                 }
             const Conclusions conclusions = conclude(instance->domain, changed);
-            const auto id = *instance->domain.objects.find(instance->goal);
-            const ConfigurationSet& where = instance->domain.objects.concepts[static_cast<std::size_t>(id)].where;
+            const Space& objects = *conclusions.objects;
+            const ConfigurationSet& where = objects.concepts[*objects.find(instance->goal)].where;
             if (!conclusions.contradiction && !conclusions.object.is_subset_of(where)) mending.insert(set);
         }
         std::set<std::vector<std::size_t>> minimal;

@@ -50,9 +50,9 @@ TEST(Space, PaperFigure5) {
 TEST(Space, ObjectsAreWhatPartsCanBe) {
     const Domain domain = compile(figure_5().result);
     // seat or none, three feet or fewer: 2 x 2, each realised also without impossible regions
-    EXPECT_EQ(domain.objects.product, 4U);
-    EXPECT_EQ(domain.objects.size, 4U);
-    EXPECT_EQ(domain.objects.possible.count(), 4U);
+    EXPECT_EQ(domain.objects().product, 4U);
+    EXPECT_EQ(domain.objects().size, 4U);
+    EXPECT_EQ(domain.objects().possible.count(), 4U);
     EXPECT_EQ(domain.part_conditions.size(), 2U);
     EXPECT_EQ(domain.part_conditions[1].count(), 2U);
 }
@@ -64,8 +64,8 @@ TEST(Space, ACompactSeatIsASeat) {
                              some("hasPart", both({name("Seat"), some("hasOrientation", "Vertical")}))}));
     const Domain domain = compile(ontology.result);
     // atoms: 1 seat, 2 seats, 1 vertical seat; without a seat there is no vertical one
-    EXPECT_EQ(domain.objects.product, 8U);
-    EXPECT_EQ(domain.objects.size, 5U);
+    EXPECT_EQ(domain.objects().product, 8U);
+    EXPECT_EQ(domain.objects().size, 5U);
 }
 
 TEST(Space, NumbersAreCutWhereAxiomsMentionThem) {
@@ -113,7 +113,7 @@ TEST(Space, PrimitiveConceptsAreFreeAndTold) {
     EXPECT_EQ(domain.regions.product, 12U);
     EXPECT_EQ(domain.regions.size, 7U);  // only a vertical stick may be a leg, or not
     EXPECT_FALSE(domain.regions.concepts[*domain.regions.find(iri("Leg"))].provable);
-    EXPECT_TRUE(domain.objects.concepts[*domain.objects.find(iri("Table"))].provable);
+    EXPECT_TRUE(domain.objects().concepts[*domain.objects().find(iri("Table"))].provable);
     EXPECT_NE(std::ranges::find(domain.warnings,
                                 "Leg has only necessary conditions, so no region can ever be proved to be a Leg; did "
                                 "you mean EquivalentTo?"),
@@ -144,7 +144,7 @@ TEST(Space, AxiomsThatConstrain) {
     EXPECT_TRUE(is_below(domain, "Chair", "Furniture"));
     EXPECT_TRUE(is_below(domain, "Chair", "Object"));
     // no seat (Furniture free: 2), one seat (a chair, so furniture: 1), two seats: impossible
-    EXPECT_EQ(domain.objects.size, 3U);
+    EXPECT_EQ(domain.objects().size, 3U);
 }
 
 TEST(Space, OnlyAndCardinalities) {

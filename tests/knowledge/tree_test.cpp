@@ -238,7 +238,7 @@ TEST(Tree, Files) {
     const std::string dot = to_dot(tree, domain);
     EXPECT_NE(dot.find("is it a Board?"), std::string::npos);
     EXPECT_NE(dot.find("height &lt;= 0.55?"), std::string::npos);
-    EXPECT_EQ(to_text(domain.objects, {1, 0}, domain), "has it at least 3 (hasShape some Stick)");
+    EXPECT_EQ(to_text(domain.objects(), {1, 0}, domain), "has it at least 3 (hasShape some Stick)");
 }
 
 TEST(Tree, IsLeftOpenBeyondALimit) {
