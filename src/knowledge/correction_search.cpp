@@ -78,7 +78,6 @@ CorrectionSearch::CorrectionSearch(const Domain& domain, const Knowledge& knowle
         holds_.push_back(yes_set(domain.regions, knowledge.answers[i].question));
         answers_of_[knowledge.answers[i].region].push_back(i);
     }
-    known_ = known.regions;
 }
 
 CorrectionSearch::Unwanted CorrectionSearch::with_test(Unwanted unwanted, const Conclusions& known) const {
@@ -86,36 +85,45 @@ CorrectionSearch::Unwanted CorrectionSearch::with_test(Unwanted unwanted, const 
     std::vector<int> goals;
     for (const Iri& iri : unwanted.objects) goals.push_back(domain_.grounding->theory.find(iri));
     unwanted.test = ObjectTest::about(domain_, goals);
-    for (std::size_t r = 0; unwanted.test && r < known.regions.size(); ++r)
-        unwanted.types.push_back(unwanted.test->types_of(known.regions[r]));
+    for (std::size_t r = 0; unwanted.test && r < known.regions.size(); ++r)  // the empty set is a subset, too
+        unwanted.types.push_back(
+            known.regions[r].is_subset_of(unwanted.regions[r]) ? 0 : unwanted.test->types_of(known.regions[r]));
+    unwanted.turned.resize(costs_.size());
     return unwanted;
 }
 
-bool CorrectionSearch::mends(const std::vector<std::size_t>& set, const Unwanted& unwanted) {
+bool CorrectionSearch::mends(const std::vector<std::size_t>& set, Unwanted& unwanted) {
     for (const std::size_t i : set) changed_.answers[i].yes = !changed_.answers[i].yes;
     const bool result = unwanted.test ? mends_by_test(set, unwanted) : mends_by_conclusions(unwanted);
     for (const std::size_t i : set) changed_.answers[i].yes = !changed_.answers[i].yes;
     return result;
 }
 
-bool CorrectionSearch::mends_by_test(const std::vector<std::size_t>& set, const Unwanted& unwanted) const {
-    std::vector<char> is_changed(known_.size(), 0);
-    for (const std::size_t i : set) is_changed[changed_.answers[i].region] = 1;
+ObjectTest::Types CorrectionSearch::types_now(int region, const Unwanted& unwanted) const {
+    ConfigurationSet set = domain_.regions.all();
+    for (const std::size_t i : answers_of_[region])
+        if (changed_.answers[i].yes)
+            set &= holds_[i];
+        else
+            set -= holds_[i];
+    return set.is_subset_of(unwanted.regions[region]) ? 0 : unwanted.test->types_of(set);
+}
+
+bool CorrectionSearch::mends_by_test(const std::vector<std::size_t>& set, Unwanted& unwanted) const {
     std::vector<ObjectTest::Types> types = unwanted.types;
-    for (std::size_t r = 0; r < known_.size(); ++r) {
-        if (is_changed[r]) {
-            ConfigurationSet region = domain_.regions.all();
-            for (const std::size_t i : answers_of_[r])
-                if (changed_.answers[i].yes)
-                    region &= holds_[i];
-                else
-                    region -= holds_[i];
-            if (region.is_empty() || region.is_subset_of(unwanted.regions[r])) return false;
-            types[r] = unwanted.test->types_of(region);
-        } else if (known_[r].is_subset_of(unwanted.regions[r])) {  // the empty set is, too
-            return false;
+    for (const std::size_t i : set) {
+        const int region = changed_.answers[i].region;
+        const bool is_alone =
+            std::ranges::count(set, region, [&](std::size_t k) { return changed_.answers[k].region; }) == 1;
+        if (is_alone) {
+            std::optional<ObjectTest::Types>& turned = unwanted.turned[i];
+            if (!turned) turned = types_now(region, unwanted);
+            types[region] = *turned;
+        } else {
+            types[region] = types_now(region, unwanted);
         }
     }
+    if (std::ranges::find(types, ObjectTest::Types{0}) != types.end()) return false;
     return unwanted.test->ask(std::move(types), changed_.complete).other;
 }
 
@@ -139,7 +147,7 @@ bool CorrectionSearch::is_entailed_of_a_composite(const Conclusions& what, const
     });
 }
 
-std::vector<Correction> CorrectionSearch::search(std::size_t limit, const Unwanted& unwanted) {
+std::vector<Correction> CorrectionSearch::search(std::size_t limit, Unwanted& unwanted) {
     std::vector<Correction> found;
     std::priority_queue<Candidate> queue;
     const auto push = [&](double cost, std::vector<std::size_t> places) {
