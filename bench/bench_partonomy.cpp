@@ -14,6 +14,7 @@
 #include "base/files.h"
 #include "bench/bench_hermit.h"
 #include "bench/bench_knowledge.h"
+#include "bench/bench_scale.h"
 #include "bench/embree_reference.h"
 #include "examples/objects.h"
 #include "expert/annotate.h"
@@ -114,8 +115,12 @@ void bench_find_parts(const std::string& name, const TriangleMesh& mesh) {
 }  // namespace
 }  // namespace partonomy::bench
 
-int main() {
+int main(int count, char** arguments) {
     using namespace partonomy;
+    if (count > 1 && std::string(arguments[1]) == "scale") {
+        bench::bench_scale();
+        return 0;
+    }
     namespace fs = std::filesystem;
     const fs::path folder = fs::temp_directory_path() / ("partonomy-bench-" + std::to_string(::getpid()));
     fs::create_directories(folder);

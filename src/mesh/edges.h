@@ -18,8 +18,9 @@ struct EdgeTable {
 };
 
 /// A counting sort by the smaller vertex, then a small sort for each vertex: O(#V + #T log valence). At most 2^31 / 3
-/// triangles.
-[[nodiscard]] EdgeTable build_edges(std::span<const std::array<std::int32_t, 3>> triangles, std::size_t vertex_count);
+/// triangles. threads <= 0: all cores; the table is the same on any number.
+[[nodiscard]] EdgeTable build_edges(std::span<const std::array<std::int32_t, 3>> triangles, std::size_t vertex_count,
+                                    int threads = 1);
 
 /// Whether half-edge h runs from the smaller to the larger vertex index.
 [[nodiscard]] inline bool runs_up(std::span<const std::array<std::int32_t, 3>> triangles, std::int32_t h) {

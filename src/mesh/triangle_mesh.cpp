@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/ranges.h"
 #include "mesh/edges.h"
+#include "mesh/parallel.h"
 
 // Adjacency. An edge with two triangles links them. At an edge with more, the triangles are sorted by their angle
 // around the edge. A triangle that runs down the edge (from the larger vertex index to the smaller) has its inside at
@@ -68,33 +70,42 @@ void link_around(const TriangleMesh& mesh, std::span<const std::int32_t> half_ed
 
 }  // namespace
 
-Adjacency build_adjacency(const TriangleMesh& mesh) {
+Adjacency build_adjacency(const TriangleMesh& mesh) { return build_adjacency(mesh, 1); }
+
+TriangleGeometry compute_geometry(const TriangleMesh& mesh) { return compute_geometry(mesh, 1); }
+
+Adjacency build_adjacency(const TriangleMesh& mesh, int threads) {
     Adjacency adjacency;
+    const EdgeTable edges = build_edges(mesh.triangles, mesh.positions.size(), threads);
     adjacency.neighbours.assign(mesh.triangles.size(), {-1, -1, -1});
-    const EdgeTable edges = build_edges(mesh.triangles, mesh.positions.size());
-    for (std::size_t e = 0; e < edges.size(); ++e) {
-        const auto around = edges[e];
-        if (around.size() == 2) link(adjacency, around[0], around[1]);
-        if (around.size() > 2) link_around(mesh, around, adjacency);
-    }
+    for_each_range(edges.size(), threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t e = begin; e < end; ++e) {
+            const auto around = edges[e];
+            if (around.size() == 2) link(adjacency, around[0], around[1]);
+            if (around.size() > 2) link_around(mesh, around, adjacency);
+        }
+    });
     return adjacency;
 }
 
-TriangleGeometry compute_geometry(const TriangleMesh& mesh) {
+TriangleGeometry compute_geometry(const TriangleMesh& mesh, int threads) {
     TriangleGeometry geometry;
-    geometry.areas.reserve(mesh.triangles.size());
-    geometry.normals.reserve(mesh.triangles.size());
-    geometry.barycentres.reserve(mesh.triangles.size());
-    for (const auto& [a, b, c] : mesh.triangles) {
-        const Vec3& p = mesh.positions[static_cast<std::size_t>(a)];
-        const Vec3& q = mesh.positions[static_cast<std::size_t>(b)];
-        const Vec3& r = mesh.positions[static_cast<std::size_t>(c)];
-        const Vec3 cross = (q - p).cross(r - p);
-        const double length = cross.norm();
-        geometry.areas.push_back(length / 2);
-        geometry.normals.push_back(length > 0 ? Vec3(cross / length) : Vec3(Vec3::Zero()));
-        geometry.barycentres.push_back((p + q + r) / 3);
-    }
+    geometry.areas.resize(mesh.triangles.size());
+    geometry.normals.resize(mesh.triangles.size());
+    geometry.barycentres.resize(mesh.triangles.size());
+    for_each_range(mesh.triangles.size(), threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t t = begin; t < end; ++t) {
+            const auto& [a, b, c] = mesh.triangles[t];
+            const Vec3& p = mesh.positions[static_cast<std::size_t>(a)];
+            const Vec3& q = mesh.positions[static_cast<std::size_t>(b)];
+            const Vec3& r = mesh.positions[static_cast<std::size_t>(c)];
+            const Vec3 cross = (q - p).cross(r - p);
+            const double length = cross.norm();
+            geometry.areas[t] = length / 2;
+            geometry.normals[t] = length > 0 ? Vec3(cross / length) : Vec3(Vec3::Zero());
+            geometry.barycentres[t] = (p + q + r) / 3;
+        }
+    });
     return geometry;
 }
 

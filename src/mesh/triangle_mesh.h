@@ -3,8 +3,8 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
-#include <utility>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace partonomy {
@@ -19,7 +19,8 @@ struct TriangleMesh {
         triangles;                          ///< #T vertex indices in [0, #V), counter-clockwise from outside
     std::vector<std::int32_t> input_faces;  ///< #T input face of each triangle, in [0, input_face_count)
     std::int32_t input_face_count = 0;      ///< faces in the file, degenerate ones included
-    /// Input faces without a triangle of their own because an earlier face lies in the same place: (face, that earlier face).
+    /// Input faces without a triangle of their own because an earlier face lies in the same place: (face, that earlier
+    /// face).
     std::vector<std::pair<std::int32_t, std::int32_t>> repeated_faces;
 };
 

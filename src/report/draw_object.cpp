@@ -14,8 +14,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "base/ranges.h"
 #include "report/samples.h"
-#include "shape/ranges.h"
 
 namespace partonomy {
 namespace {

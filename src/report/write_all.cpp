@@ -19,9 +19,9 @@
 #include <system_error>
 
 #include "base/errors.h"
+#include "base/ranges.h"
 #include "report/part_names.h"
 #include "report/write.h"
-#include "shape/ranges.h"
 
 namespace partonomy {
 namespace {

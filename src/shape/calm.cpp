@@ -12,6 +12,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
+
+#include "base/ranges.h"
+#include "mesh/parallel.h"
 
 namespace partonomy {
 
@@ -23,20 +27,43 @@ constexpr double grain = 3;  // of the root of the mean area of a triangle
 constexpr double forth = 0.6, back = -0.62;
 constexpr std::size_t most_samples = 6000;
 
-/// Every vertex goes the part `share` of its way to the mean of its neighbours.
-void relax(TriangleMesh& mesh, double share, std::vector<Vec3>& sum, std::vector<std::int32_t>& count) {
-    sum.assign(mesh.positions.size(), Vec3::Zero());
-    count.assign(mesh.positions.size(), 0);
-    for (const auto& t : mesh.triangles) {
-        const Vec3 all = mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]];
-        for (const std::int32_t v : t) {
-            sum[v] += all - mesh.positions[v];
-            count[v] += 2;
+/// Moves vertices towards the mean of their neighbours.
+class Relaxation {
+public:
+    explicit Relaxation(const TriangleMesh& mesh)
+        : begins_(mesh.positions.size() + 1, 0), next_(mesh.positions.size()) {
+        for (const auto& t : mesh.triangles)
+            for (const std::int32_t v : t) begins_[v] += 2;
+        std::int32_t sum = 0;
+        for (std::int32_t& begin : begins_) sum += std::exchange(begin, sum);
+        around_.resize(sum);
+        std::vector<std::int32_t> fill(begins_.begin(), begins_.end() - 1);
+        for (const auto& [a, b, c] : mesh.triangles) {
+            const auto add = [&](std::int32_t v, std::int32_t p, std::int32_t q) {
+                around_[fill[v]++] = p;
+                around_[fill[v]++] = q;
+            };
+            add(a, b, c), add(b, c, a), add(c, a, b);
         }
     }
-    for (std::size_t v = 0; v < sum.size(); ++v)
-        if (count[v] > 0) mesh.positions[v] += share * (sum[v] / count[v] - mesh.positions[v]);
-}
+
+    /// Every vertex goes the part `share` of its way.
+    void relax(std::vector<Vec3>& positions, double share, int threads) {
+        for_each_range(positions.size(), threads, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t v = begin; v < end; ++v) {
+                Vec3 sum = Vec3::Zero();
+                for (std::int32_t k = begins_[v]; k < begins_[v + 1]; ++k) sum += positions[around_[k]];
+                const std::int32_t count = begins_[v + 1] - begins_[v];
+                next_[v] = count > 0 ? Vec3(positions[v] + share * (sum / count - positions[v])) : positions[v];
+            }
+        });
+        positions.swap(next_);
+    }
+
+private:
+    std::vector<std::int32_t> begins_, around_;  ///< neighbours of each vertex, once for each triangle that they share
+    std::vector<Vec3> next_;
+};
 
 }  // namespace
 
@@ -60,22 +87,22 @@ double roughness(const Adjacency& adjacency, const TriangleGeometry& geometry) {
     return std::acos(std::clamp(*middle, -1.0, 1.0)) * 180 / std::numbers::pi;
 }
 
-Calming calm(TriangleMesh& mesh, const Adjacency& adjacency, TriangleGeometry& geometry) {
+Calming calm(const TriangleMesh& mesh, const Adjacency& adjacency, TriangleGeometry& geometry, int threads) {
     const double before = roughness(adjacency, geometry);
     if (before < clean_degrees) return {};
     double area = 0;
     for (const double a : geometry.areas) area += a;
-    std::vector<Vec3> sum;
-    std::vector<std::int32_t> count;
+    Calming result{mesh, grain * std::sqrt(area / static_cast<double>(geometry.areas.size())), before > calm_degrees};
+    Relaxation relaxation(mesh);
     for (int round = 0; round < most_rounds; ++round) {
         for (int step = 0; step < steps_a_round; ++step) {
-            relax(mesh, forth, sum, count);
-            relax(mesh, back, sum, count);
+            relaxation.relax(result.mesh.positions, forth, threads);
+            relaxation.relax(result.mesh.positions, back, threads);
         }
-        geometry = compute_geometry(mesh);
+        geometry = compute_geometry(result.mesh, threads);
         if (roughness(adjacency, geometry) < calm_degrees) break;
     }
-    return {grain * std::sqrt(area / static_cast<double>(geometry.areas.size())), before > calm_degrees};
+    return result;
 }
 
 }  // namespace partonomy

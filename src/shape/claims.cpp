@@ -31,7 +31,7 @@ struct Frame {
 
 Frame local_frame(const Surface& s, std::int32_t i) {
     const double half = s.thickness.distances[i] / 2.0;
-    return {s.geometry.barycentres[i] - s.normals[i] * half, s.normals[i], half};
+    return {s.geometry.barycentres[i] - s.geometry.normals[i] * half, s.geometry.normals[i], half};
 }
 
 struct PlaneFit {
@@ -82,19 +82,24 @@ PlaneFit fit_plane(const Surface& s, const Core& core) {
     return fit;
 }
 
-/// Numbers of the boards: level ones first, large ones first.
-std::vector<std::int32_t> boards_in_order(const Surface& s, const Vec3& up, const Parts& parts) {
-    std::vector<std::int32_t> order;
-    std::vector<bool> level(parts.parts.size());
-    for (std::size_t k = 0; k < parts.parts.size(); ++k) {
-        if (parts.parts[k].kind != Solidity::board) continue;
-        order.push_back(static_cast<std::int32_t>(k));
-        level[k] = std::abs(fit_plane(s, parts.parts[k]).frame.normal.dot(up)) > std::sqrt(0.5);
-    }
-    std::stable_sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
-        return level[a] != level[b] ? level[a] : parts.parts[a].area > parts.parts[b].area;
+/// A board among the parts.
+struct Board {
+    std::int32_t number;
+    PlaneFit fit;
+};
+
+/// The boards: level ones first, large ones first.
+std::vector<Board> boards_in_order(const Surface& s, const Vec3& up, const Parts& parts) {
+    std::vector<Board> boards;
+    for (std::size_t k = 0; k < parts.parts.size(); ++k)
+        if (parts.parts[k].kind == Solidity::board)
+            boards.push_back({static_cast<std::int32_t>(k), fit_plane(s, parts.parts[k])});
+    const auto is_level = [&](const Board& board) { return std::abs(board.fit.frame.normal.dot(up)) > std::sqrt(0.5); };
+    std::stable_sort(boards.begin(), boards.end(), [&](const Board& a, const Board& b) {
+        const bool level = is_level(a);
+        return level != is_level(b) ? level : parts.parts[a.number].area > parts.parts[b.number].area;
     });
-    return order;
+    return boards;
 }
 
 /// Splits part k into its connected pieces; the first keeps the number.
@@ -163,12 +168,12 @@ bool points_to(const Surface& s, const Core& stick, const Core& board) {
     return way.norm() > stick.thickness && std::abs(way.dot(stick.axis)) > 0.8 * way.norm();
 }
 
-}  // namespace
-
-void absorb_rims(const Surface& s, const Vec3& up, Parts& parts) {
-    for (const std::int32_t b : boards_in_order(s, up, parts)) {
+/// Frees parts that are but the thick rim of a board: they lie between its walls, along it, and do not end at it.
+void absorb_rims(const Surface& s, const std::vector<Board>& boards, Parts& parts) {
+    for (const auto& [b, fit] : boards) {
         Core& board = parts.parts[b];
-        const Frame plane = fit_plane(s, board).frame;
+        if (board.triangles.empty()) continue;  // a rim of another one
+        const Frame& plane = fit.frame;
         for (std::size_t k = 0; k < parts.parts.size(); ++k) {
             Core& rim = parts.parts[k];
             if (static_cast<std::int32_t>(k) == b || rim.triangles.empty() || rim.area > 0.25 * board.area) continue;
@@ -188,9 +193,10 @@ void absorb_rims(const Surface& s, const Vec3& up, Parts& parts) {
     }
 }
 
-void cut_at_boards(const Surface& s, const Vec3& up, Parts& parts) {
-    for (const std::int32_t b : boards_in_order(s, up, parts)) {
-        const PlaneFit fit = fit_plane(s, parts.parts[b]);
+/// Cuts sticks where a board crosses them: what lies between the board's walls becomes free, and the pieces above and
+/// below become sticks of their own.
+void cut_at_boards(const Surface& s, const std::vector<Board>& boards, Parts& parts) {
+    for (const auto& [b, fit] : boards) {
         const Frame& plane = fit.frame;
         const std::size_t existing = parts.parts.size();
         for (std::size_t k = 0; k < existing; ++k) {
@@ -213,13 +219,11 @@ void cut_at_boards(const Surface& s, const Vec3& up, Parts& parts) {
     }
 }
 
-namespace {
-
 /// Whether the triangle is on the rim of a board: from a point just below it, the board's two walls are met to both
 /// sides before a way longer than the board is thick.
 bool on_rim(const Surface& s, const Parts& parts, std::int32_t board, const Frame& f, std::int32_t i) {
-    if (std::abs(s.normals[i].dot(f.normal)) > 0.8) return false;
-    const Vec3 inside = s.geometry.barycentres[i] - s.normals[i] * (0.5 * f.half);
+    if (std::abs(s.geometry.normals[i].dot(f.normal)) > 0.8) return false;
+    const Vec3 inside = s.geometry.barycentres[i] - s.geometry.normals[i] * (0.5 * f.half);
     double way = 0;
     for (const double side : {1.0, -1.0}) {
         const WallHit hit = s.scene->exit_wall({inside, side * f.normal});
@@ -232,13 +236,12 @@ bool on_rim(const Surface& s, const Parts& parts, std::int32_t board, const Fram
 /// One board's growth over the triangles around its core.
 class SlabClaim {
 public:
-    SlabClaim(const Surface& surface, Parts& parts, std::vector<Frame>& frames, std::vector<float>& beyond)
-        : s_(surface), parts_(parts), frame_(frames), beyond_(beyond) {}
+    SlabClaim(const Surface& surface, Parts& parts)
+        : s_(surface), parts_(parts), origin_(surface.count()), beyond_(surface.count()) {}
 
-    void grow(std::int32_t number) {
+    void grow(std::int32_t number, const PlaneFit& fit) {
         board_ = number;
         const Core& board = parts_.parts[number];
-        const PlaneFit fit = fit_plane(s_, board);
         flat_ = fit.deviation < planar * board.thickness;
         exact_ = fit.deviation < 0.01 * board.thickness && fit.spread < 0.03 * board.thickness;
         plane_ = fit.frame;
@@ -251,7 +254,7 @@ public:
         part.half = plane_.half;
         queue_ = board.triangles;
         for (const std::int32_t i : queue_) {
-            frame_[i] = local_frame(s_, i);
+            origin_[i] = i;
             beyond_[i] = 0;
         }
         for (std::size_t at = 0; at < queue_.size(); ++at)
@@ -273,7 +276,7 @@ private:
     void consider(std::int32_t from, std::int32_t j) {
         const bool free = parts_.part_of[j] < 0;
         if (!free && parts_.parts[parts_.part_of[j]].thickness < thicker * parts_.parts[board_].thickness) return;
-        const Frame& f = flat_ ? plane_ : frame_[from];
+        const Frame f = flat_ ? plane_ : local_frame(s_, origin_[from]);
         float beyond = 0;
         if (!on_rim(s_, parts_, board_, f, j)) {
             if (!free) return;
@@ -281,12 +284,12 @@ private:
                 beyond_[from] + static_cast<float>((s_.geometry.barycentres[j] - s_.geometry.barycentres[from]).norm());
             if (!exact_ && beyond > reach * parts_.parts[board_].thickness) return;
             const Vec3 way = s_.geometry.barycentres[j] - s_.geometry.barycentres[from];
-            const bool concave = way.dot(s_.normals[from]) > 0;
-            if (concave && s_.normals[from].dot(s_.normals[j]) < crease) return;
+            const bool concave = way.dot(s_.geometry.normals[from]) > 0;
+            if (concave && s_.geometry.normals[from].dot(s_.geometry.normals[j]) < crease) return;
             const double u = (s_.geometry.barycentres[j] - f.middle).dot(f.normal);
             if (std::abs(u) > (flat_ ? room_ : f.half * loose)) return;
         }
-        frame_[j] = frame_[from];
+        origin_[j] = origin_[from];
         beyond_[j] = beyond;
         parts_.part_of[j] = board_;
         queue_.push_back(j);
@@ -300,8 +303,8 @@ private:
 
     const Surface& s_;
     Parts& parts_;
-    std::vector<Frame>& frame_;
-    std::vector<float>& beyond_;
+    std::vector<std::int32_t> origin_;  ///< the triangle of the core whose frame goes on here
+    std::vector<float> beyond_;         ///< how far it is from the last sure place
     std::vector<std::int32_t> queue_;
     std::int32_t board_ = -1;
     bool flat_ = false, exact_ = false;
@@ -311,11 +314,12 @@ private:
 
 }  // namespace
 
-void claim_slabs(const Surface& s, const Vec3& up, Parts& parts) {
-    std::vector<Frame> frames(s.count());
-    std::vector<float> beyond(s.count());
-    SlabClaim claim(s, parts, frames, beyond);
-    for (const std::int32_t board : boards_in_order(s, up, parts)) claim.grow(board);
+void claim(const Surface& s, const Vec3& up, Parts& parts) {
+    const std::vector<Board> boards = boards_in_order(s, up, parts);
+    absorb_rims(s, boards, parts);
+    cut_at_boards(s, boards, parts);
+    SlabClaim slab(s, parts);
+    for (const auto& [number, fit] : boards) slab.grow(number, fit);
 }
 
 void found_new_parts(const Surface& s, Parts& parts) {

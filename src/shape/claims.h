@@ -13,16 +13,11 @@ struct Parts {
     std::vector<std::int32_t> part_of;
 };
 
-/// Cuts sticks where a board crosses them, such as a chair's rear legs that run on as back posts: what lies between the
-/// board's walls becomes free, and the pieces above and below become sticks of their own.
-void cut_at_boards(const Surface& surface, const Vec3& up, Parts& parts);
-
-/// Frees parts that are but the thick rim of a board: they lie between its walls, along it, and do not end at it.
-void absorb_rims(const Surface& surface, const Vec3& up, Parts& parts);
-
-/// Boards take the free triangles that lie between their walls, continued: the rim, and the places where another part
-/// stands on the other side. Level boards come first, so that a seat keeps its corners where legs are flush with it.
-void claim_slabs(const Surface& surface, const Vec3& up, Parts& parts);
+/// Settles what is a board's and what is not, level boards first, so that a seat keeps its corners where legs are flush
+/// with it. Frees parts that are but the thick rim of a board; cuts sticks where a board crosses them, such as a
+/// chair's rear legs that run on as back posts; then boards take the free triangles that lie between their walls,
+/// continued.
+void claim(const Surface& surface, const Vec3& up, Parts& parts);
 
 /// Free pieces that face themselves across their own thickness become parts: sticks whose walls are not parallel.
 void found_new_parts(const Surface& surface, Parts& parts);

@@ -8,11 +8,11 @@
 //
 // A set that is a plain slab or bar is a core as it is (plain_pieces.cpp).
 //
-// Any other set may still be a comb: back posts as thick as the backrest they carry. Sampled triangles therefore look around
-// from the middle between their two walls, along the walls: a stick is as narrow as thick, a board wider than twice its
-// thickness, and where it is far narrower than thick the walls are the two ends of something thin (the rim of a seat
-// faces the other rim across the whole seat) and no core. The samples' surroundings (cells) vote with their neighbours,
-// and a set is cut between board and stick and where sticks of different directions meet.
+// Any other set may still be a comb: back posts as thick as the backrest they carry. Sampled triangles therefore look
+// around from the middle between their two walls, along the walls: a stick is as narrow as thick, a board wider than
+// twice its thickness, and where it is far narrower than thick the walls are the two ends of something thin (the rim of
+// a seat faces the other rim across the whole seat) and no core. The samples' surroundings (cells) vote with their
+// neighbours, and a set is cut between board and stick and where sticks of different directions meet.
 //
 // Sticks with three sides have no parallel walls; a second, more generous search among what is left finds them. Their
 // thickness falls to nothing towards each edge, so there the samples look around from the middle of the stick, and the
@@ -30,31 +30,41 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <numbers>
 #include <numeric>
 
+#include "base/ranges.h"
 #include "shape/plain_pieces.h"
-#include "shape/ranges.h"
 
 namespace partonomy {
 
 namespace {
 
-/// Sets of triangles that grow together; the lowest number stands for its set, so the order of joining does not matter.
+/// Sets of triangles that grow together; the lowest number stands for its set, so the order of joining does not matter,
+/// and several threads may join at once: a link always leads to a lower number.
 class Sets {
 public:
     explicit Sets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
     std::int32_t find(std::int32_t i) {
-        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+        for (std::int32_t up = parent(i).load(relaxed); up != i; up = parent(i).load(relaxed)) {
+            const std::int32_t above = parent(up).load(relaxed);
+            if (above != up) parent(i).compare_exchange_weak(up, above, relaxed);
+            i = above;
+        }
         return i;
     }
     void join(std::int32_t a, std::int32_t b) {
-        a = find(a), b = find(b);
-        if (a != b) parent_[std::max(a, b)] = std::min(a, b);
+        for (a = find(a), b = find(b); a != b; a = find(a), b = find(b)) {
+            std::int32_t high = std::max(a, b);
+            if (parent(high).compare_exchange_strong(high, std::min(a, b), relaxed)) return;
+        }
     }
 
 private:
+    static constexpr std::memory_order relaxed = std::memory_order_relaxed;
+    std::atomic_ref<std::int32_t> parent(std::int32_t i) { return std::atomic_ref<std::int32_t>(parent_[i]); }
     std::vector<std::int32_t> parent_;
 };
 
@@ -82,7 +92,7 @@ struct Chords {
 /// Only ways that meet both walls squarely tell a width: near a corner of a board the diagonal is short and means
 /// nothing.
 Chords chords_around(const Surface& s, std::int32_t t) {
-    const Vec3 n = s.normals[t];
+    const Vec3 n = s.geometry.normals[t];
     const Vec3 middle = s.geometry.barycentres[t] - n * (s.thickness.distances[t] / 2);
     const Vec3 x = n.unitOrthogonal(), y = n.cross(x);
     constexpr std::size_t lines = 8;
@@ -102,8 +112,8 @@ Chords chords_around(const Surface& s, std::int32_t t) {
         const WallHit &ahead = hits[k], &behind = hits[k + lines];
         const double length = std::min<double>(ahead.distance, s.size) + std::min<double>(behind.distance, s.size);
         any = std::min(any, length);
-        if (ahead.triangle >= 0 && behind.triangle >= 0 && s.normals[ahead.triangle].dot(d) > square_cosine &&
-            -s.normals[behind.triangle].dot(d) > square_cosine)
+        if (ahead.triangle >= 0 && behind.triangle >= 0 && s.geometry.normals[ahead.triangle].dot(d) > square_cosine &&
+            -s.geometry.normals[behind.triangle].dot(d) > square_cosine)
             square = std::min(square, length);
         if (length > chords.wide) chords.wide = length, chords.along = d;
     }
@@ -115,7 +125,7 @@ Chords chords_around(const Surface& s, std::int32_t t) {
 /// near an edge, where everything is narrow. `thickness` becomes the way through the middle.
 Chords chords_through_middle(const Surface& s, std::int32_t t, double& thickness) {
     Chords chords = chords_around(s, t);
-    const Vec3 n = s.normals[t], x = chords.along.cross(n);
+    const Vec3 n = s.geometry.normals[t], x = chords.along.cross(n);
     Vec3 middle = s.geometry.barycentres[t] - n * (s.thickness.distances[t] / 2);
     const auto centre = [&](const Vec3& d) {
         const double ahead = std::min<double>(s.scene->exit_wall({middle, d}).distance, s.size);
@@ -385,25 +395,30 @@ std::vector<Core> find_components(const Surface& s, const std::vector<char>& tak
     const auto& t = s.thickness.distances;
     const auto& opposite = s.thickness.opposites;
     std::vector<char> wall(count);
-    for (std::size_t i = 0; i < count; ++i)
-        wall[i] = !taken[i] && !s.in_crease(i) && opposite[i] >= 0 && !taken[opposite[i]] &&
-                  -s.normals[i].dot(s.normals[opposite[i]]) > like.wall_cosine;
+    for_each_range(count, s.threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            wall[i] = !taken[i] && !s.in_crease(i) && opposite[i] >= 0 && !taken[opposite[i]] &&
+                      -s.geometry.normals[i].dot(s.geometry.normals[opposite[i]]) > like.wall_cosine;
+    });
     const auto step = static_cast<float>(like.thickness_step);
     const auto alike = [&](std::size_t i, std::int32_t j) {
         return wall[j] && t[i] < step * t[j] && t[j] < step * t[i];
     };
     Sets sets(count);
-    for (std::size_t i = 0; i < count; ++i) {
-        const auto self = static_cast<std::int32_t>(i);
-        if (!wall[i]) continue;
-        for (const std::int32_t j : s.adjacency.neighbours[i]) {
-            if (j < self || !alike(i, j)) continue;
-            const bool concave = (s.geometry.barycentres[j] - s.geometry.barycentres[i]).dot(s.normals[i]) > 0;
-            if (concave && s.normals[i].dot(s.normals[j]) < crease_cosine) continue;
-            sets.join(self, j);
+    for_each_range(count, s.threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const auto self = static_cast<std::int32_t>(i);
+            if (!wall[i]) continue;
+            for (const std::int32_t j : s.adjacency.neighbours[i]) {
+                if (j < self || !alike(i, j)) continue;
+                const bool concave =
+                    (s.geometry.barycentres[j] - s.geometry.barycentres[i]).dot(s.geometry.normals[i]) > 0;
+                if (concave && s.geometry.normals[i].dot(s.geometry.normals[j]) < crease_cosine) continue;
+                sets.join(self, j);
+            }
+            if (alike(i, opposite[i])) sets.join(self, opposite[i]);
         }
-        if (alike(i, opposite[i])) sets.join(self, opposite[i]);
-    }
+    });
     std::vector<std::int32_t> number(count, -1);
     std::vector<Core> components;
     for (std::size_t i = 0; i < count; ++i) {

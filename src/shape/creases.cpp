@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/ranges.h"
 #include "shape/surface.h"
 
 namespace partonomy {
@@ -18,21 +19,23 @@ constexpr int passes = 12;                                  // reach some triang
 const double bent = std::cos(24 * std::numbers::pi / 180);  // half of the least angle of a crease
 
 /// Each value becomes the mean of its own and its neighbours'.
-void spread(const Adjacency& adjacency, std::vector<Vec3>& values, std::vector<Vec3>& old) {
+void spread(const Surface& s, std::vector<Vec3>& values, std::vector<Vec3>& old) {
     old.swap(values);
-    for (std::size_t i = 0; i < old.size(); ++i) {
-        Vec3 sum = old[i];
-        for (const std::int32_t j : adjacency.neighbours[i]) sum += old[j >= 0 ? static_cast<std::size_t>(j) : i];
-        values[i] = sum / 4;
-    }
+    for_each_range(old.size(), s.threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            Vec3 sum = old[i];
+            for (const std::int32_t j : s.adjacency.neighbours[i]) sum += old[j >= 0 ? static_cast<std::size_t>(j) : i];
+            values[i] = sum / 4;
+        }
+    });
 }
 
 }  // namespace
 
 std::vector<char> find_creases(const Surface& s) {
-    std::vector<Vec3> normals = s.normals, places = s.geometry.barycentres, old(s.count());
-    for (int pass = 0; pass < passes; ++pass) spread(s.adjacency, normals, old);
-    for (int pass = 0; pass < passes; ++pass) spread(s.adjacency, places, old);
+    std::vector<Vec3> normals = s.geometry.normals, places = s.geometry.barycentres, old(s.count());
+    for (int pass = 0; pass < passes; ++pass) spread(s, normals, old);
+    for (int pass = 0; pass < passes; ++pass) spread(s, places, old);
     std::vector<char> creases(s.count());
     for (std::size_t i = 0; i < s.count(); ++i)
         creases[i] = normals[i].norm() < bent && (places[i] - s.geometry.barycentres[i]).dot(normals[i]) > 0;

@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <queue>
 
 #include "shape/claims.h"
@@ -33,19 +34,23 @@ constexpr double stick_crease = 20, board_crease = 5;
 
 void fill(const Surface& s, Parts& parts) {
     std::priority_queue<Step, std::vector<Step>, std::greater<>> queue;
+    std::vector<float> best(s.count(), std::numeric_limits<float>::infinity());  // rounded up: ties stay in the queue
     const auto push = [&](std::int32_t from, double cost) {
         const std::int32_t part = parts.part_of[from];
         for (const std::int32_t j : s.adjacency.neighbours[from]) {
             if (j < 0 || parts.part_of[j] >= 0) continue;
             const Vec3 way = s.geometry.barycentres[j] - s.geometry.barycentres[from];
-            const double turn = 1 - s.normals[from].dot(s.normals[j]);
-            const bool concave = way.dot(s.normals[from] - s.normals[j]) > 0;
+            const double turn = 1 - s.geometry.normals[from].dot(s.geometry.normals[j]);
+            const bool concave = way.dot(s.geometry.normals[from] - s.geometry.normals[j]) > 0;
             const double factor = parts.parts[part].kind == Solidity::stick ? stick_crease : board_crease;
             const double crease = concave ? factor * turn * parts.parts[part].thickness : 0;
             const double u = (s.geometry.barycentres[j] - parts.parts[part].middle).dot(parts.parts[part].normal);
             const bool outside =
                 parts.parts[part].is_exact && turn < flat_turn && std::abs(u) > 1.05 * parts.parts[part].half;
-            queue.push({cost + (outside ? outside_exact : 1) * way.norm() + crease, j, part});
+            const double total = cost + (outside ? outside_exact : 1) * way.norm() + crease;
+            if (total > static_cast<double>(best[j])) continue;
+            best[j] = std::nextafter(static_cast<float>(total), std::numeric_limits<float>::infinity());
+            queue.push({total, j, part});
         }
     };
     for (std::size_t i = 0; i < s.count(); ++i)

@@ -26,13 +26,15 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
+#include "base/ranges.h"
+#include "mesh/parallel.h"
 #include "shape/calm.h"
 #include "shape/claims.h"
 #include "shape/cores.h"
 #include "shape/part_box.h"
-#include "shape/ranges.h"
 #include "shape/refine.h"
 #include "shape/surface.h"
 
@@ -170,7 +172,7 @@ std::vector<PartRegion> collect(const TriangleMesh& mesh, const TriangleGeometry
         [&](std::size_t begin, std::size_t end) {
             for (std::size_t k = begin; k < end; ++k) {
                 PartRegion& part = regions[k];
-                PartBox measured = measure_part(mesh, geometry, part.region.triangles);
+                PartBox measured = measure_part(mesh, geometry, part.region.triangles, threads);
                 part.region.memberships = std::move(measured.memberships);
                 part.box = measured.box;
                 part.fit = measured.fit;
@@ -185,20 +187,24 @@ std::vector<PartRegion> collect(const TriangleMesh& mesh, const TriangleGeometry
 std::vector<PartRegion> find_parts(const TriangleMesh& mesh, const FindPartsOptions& options, StageTimes* times) {
     if (mesh.triangles.empty()) return {};
     Clock clock(times);
-    Surface s;
-    s.threads = options.threads;
-    s.size = compute_bounds(mesh).diagonal();
-    const double limit = refinement_length(mesh, s.size);
-    Refinement refinement = refine(mesh, limit);
-    s.mesh = refinement.mesh;
+    const double size = compute_bounds(mesh).diagonal();
+    Refinement refinement;
+    const double limit = refinement_length(mesh, size);
+    const bool is_refined = limit < std::numeric_limits<double>::infinity();
+    if (is_refined) refinement = refine(mesh, limit);
+    const TriangleMesh& fine = is_refined ? refinement.mesh : mesh;
     clock.done("refine");
-    s.adjacency = build_adjacency(s.mesh);
-    s.geometry = compute_geometry(s.mesh);
+    Adjacency adjacency = build_adjacency(fine, options.threads);
+    TriangleGeometry fine_geometry = compute_geometry(fine, options.threads);
     clock.done("adjacency");
-    const Calming calming = calm(s.mesh, s.adjacency, s.geometry);
+    const Calming calming = calm(fine, adjacency, fine_geometry, options.threads);
+    const bool was_rough = calming.grain > 0;
+    Surface s(was_rough ? calming.mesh : fine);
+    s.adjacency = std::move(adjacency);
+    s.geometry = std::move(fine_geometry);
+    s.threads = options.threads;
+    s.size = size;
     s.grain = calming.grain;
-    const bool was_rough = s.grain > 0;
-    s.normals = s.geometry.normals;
     if (calming.is_blurred) s.creases = find_creases(s);
     clock.done("calm");
     // A calmed mesh is another one: the caller's triangles are no longer what rays should meet.
@@ -211,27 +217,32 @@ std::vector<PartRegion> find_parts(const TriangleMesh& mesh, const FindPartsOpti
     clock.done("cores");
     Parts parts{std::move(cores.cores), std::move(cores.core_of)};
     merge_parts(s, parts);  // walls of one stick that were found apart are no rims
-    absorb_rims(s, options.up, parts);
-    cut_at_boards(s, options.up, parts);
-    claim_slabs(s, options.up, parts);
+    claim(s, options.up, parts);
     found_new_parts(s, parts);
     clock.done("claims");
+    s.scene.reset();
     fill(s, parts);
     clock.done("fill");
     merge_parts(s, parts);
     clock.done("merge");
-    const bool is_refined = s.mesh.triangles.size() != mesh.triangles.size();
     if (!is_refined) settle_borders(s, parts);
     clock.done("settle");
+    if (!is_refined) {
+        connect(s.mesh, s.adjacency, s.geometry, parts.part_of);
+        clock.done("vote");
+        std::vector<PartRegion> regions = collect(s.mesh, s.geometry, parts.part_of, options.threads);
+        clock.done("boxes");
+        return regions;
+    }
     TriangleMesh calmed;  // the caller's triangles, when they were rough
     if (was_rough) {
         calmed = mesh;
         std::copy_n(s.mesh.positions.begin(), mesh.positions.size(), calmed.positions.begin());
     }
     const TriangleMesh& measured = was_rough ? calmed : mesh;
-    const TriangleGeometry geometry = is_refined ? compute_geometry(measured) : s.geometry;
+    const TriangleGeometry geometry = compute_geometry(measured);
     std::vector<std::int32_t> part_of = vote(s, parts.part_of);
-    connect(measured, is_refined ? build_adjacency(mesh) : s.adjacency, geometry, part_of);
+    connect(measured, build_adjacency(mesh), geometry, part_of);
     clock.done("vote");
     std::vector<PartRegion> regions = collect(measured, geometry, part_of, options.threads);
     clock.done("boxes");

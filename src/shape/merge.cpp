@@ -17,6 +17,21 @@ namespace partonomy {
 
 namespace {
 
+/// Something for each pair of parts; neighbouring triangles mostly ask for the same one.
+template <class Value>
+struct PairMap {
+    using Key = std::pair<std::int32_t, std::int32_t>;
+    std::map<Key, Value> all;
+
+    Value& at(std::int32_t a, std::int32_t b) {
+        if (last == nullptr || last->first != Key(a, b)) last = &*all.try_emplace({a, b}).first;
+        return last->second;
+    }
+
+private:
+    std::pair<const Key, Value>* last = nullptr;
+};
+
 /// Where each part is and which way it runs.
 struct Lie {
     Vec3 middle = Vec3::Zero(), axis = Vec3::Zero();
@@ -37,7 +52,7 @@ std::vector<Lie> lies(const Surface& s, const Parts& parts) {
         area[k] += s.geometry.areas[i];
         const std::int32_t o = s.thickness.opposites[i];
         if (o < 0 || parts.part_of[o] != k) continue;
-        inside[k] += s.geometry.areas[i] * (b - s.normals[i] * (s.thickness.distances[i] / 2.0));
+        inside[k] += s.geometry.areas[i] * (b - s.geometry.normals[i] * (s.thickness.distances[i] / 2.0));
         walls[k] += s.geometry.areas[i];
     }
     std::vector<Lie> result(parts.parts.size());
@@ -100,31 +115,36 @@ void merge_parts(const Surface& s, Parts& parts) {
     for (bool changed = true; changed;) {
         changed = false;
         std::vector<double> area(parts.parts.size(), 0.0);
-        std::map<std::pair<std::int32_t, std::int32_t>, double> seen;
+        PairMap<double> seen;
         for (std::size_t i = 0; i < s.count(); ++i) {
             const std::int32_t own = parts.part_of[i], o = s.thickness.opposites[i];
             if (own < 0) continue;
             area[own] += s.geometry.areas[i];
             if (o >= 0 && parts.part_of[o] >= 0 && parts.part_of[o] != own)
-                seen[{own, parts.part_of[o]}] += s.geometry.areas[i];
+                seen.at(own, parts.part_of[o]) += s.geometry.areas[i];
         }
         std::vector<double> border(parts.parts.size(), 0.0);
-        std::map<std::pair<std::int32_t, std::int32_t>, Border> borders;
+        PairMap<Border> borders;
         for (std::size_t i = 0; i < s.count(); ++i)
             for (int e = 0; e < 3; ++e) {
                 const std::int32_t own = parts.part_of[i], j = s.adjacency.neighbours[i][e];
                 if (own < 0 || j < 0 || parts.part_of[j] < 0 || parts.part_of[j] == own) continue;
                 const auto& corners = s.mesh.triangles[i];
                 const Vec3 &from = s.mesh.positions[corners[e]], &to = s.mesh.positions[corners[(e + 1) % 3]];
-                Border& common = borders[{own, parts.part_of[j]}];
+                Border& common = borders.at(own, parts.part_of[j]);
                 common.add(from, to);
                 border[own] += (to - from).norm();
-                const bool concave = (s.geometry.barycentres[j] - s.geometry.barycentres[i]).dot(s.normals[i]) > 0;
-                if (!s.in_crease(i) && (!concave || s.normals[i].dot(s.normals[j]) > 0.94))
+                const bool concave =
+                    (s.geometry.barycentres[j] - s.geometry.barycentres[i]).dot(s.geometry.normals[i]) > 0;
+                if (!s.in_crease(i) && (!concave || s.geometry.normals[i].dot(s.geometry.normals[j]) > 0.94))
                     common.smooth += (to - from).norm();
             }
-        const std::vector<Lie> lie = lies(s, parts);
-        for (const auto& [pair, common] : borders) {
+        std::vector<Lie> lie;  // for the few borders that ask
+        const auto lie_of = [&](std::int32_t part) -> const Lie& {
+            if (lie.empty()) lie = lies(s, parts);
+            return lie[part];
+        };
+        for (const auto& [pair, common] : borders.all) {
             const auto [a, b] = pair;
             if (area[a] > area[b]) continue;
             if (parts.parts[a].kind == Solidity::board || parts.parts[b].kind == Solidity::board) continue;
@@ -134,14 +154,14 @@ void merge_parts(const Surface& s, Parts& parts) {
             // Sticks in line meet all around, not only where noise lets their cores touch; unless they are alike in
             // thickness, nothing but a whole ring will do.
             const bool meet = common.smooth > 0.5 * border[a] && common.smooth > (alike ? 2 : 3) * thin;
-            const bool in_line = std::abs(lie[a].axis.dot(lie[b].axis)) > 0.8;
-            if (!(meet && (in_line || (alike && is_sawn(common, lie[a], lie[b], thin)))) &&
-                !(alike && is_same_place(lie[a], lie[b], thin)))
+            const auto is_in_line = [&] { return std::abs(lie_of(a).axis.dot(lie_of(b).axis)) > 0.8; };
+            if (!(meet && (is_in_line() || (alike && is_sawn(common, lie_of(a), lie_of(b), thin)))) &&
+                !(alike && is_same_place(lie_of(a), lie_of(b), thin)))
                 continue;
-            seen[{a, b}] += area[a];
+            seen.at(a, b) += area[a];
         }
         std::vector<std::int32_t> into(parts.parts.size(), -1);
-        for (const auto& [pair, facing_area] : seen) {
+        for (const auto& [pair, facing_area] : seen.all) {
             const auto [a, b] = pair;
             if (area[a] > area[b] || facing_area < facing * area[a]) continue;
             if (into[a] >= 0 || into[b] >= 0) continue;

@@ -21,7 +21,10 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
+#include "base/ranges.h"
+#include "shape/corners.h"
 #include "shape/membership.h"
 
 namespace partonomy {
@@ -83,14 +86,11 @@ private:
 
 class Measurer {
 public:
-    Measurer(const TriangleMesh& mesh, const TriangleGeometry& geometry, const std::vector<std::int32_t>& triangles)
-        : geometry_(geometry), triangles_(triangles) {
-        std::vector<std::int32_t> corners;
-        corners.reserve(3 * triangles.size());
-        for (const std::int32_t t : triangles)
-            corners.insert(corners.end(), mesh.triangles[t].begin(), mesh.triangles[t].end());
-        std::sort(corners.begin(), corners.end());
-        corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+    Measurer(const TriangleMesh& mesh, const TriangleGeometry& geometry, const std::vector<std::int32_t>& triangles,
+             int threads)
+        : geometry_(geometry), triangles_(triangles), threads_(threads) {
+        const std::vector<std::int32_t> corners = corners_of(mesh, triangles);
+        points_.reserve(corners.size());
         for (const std::int32_t v : corners) points_.push_back(mesh.positions[v]);
         const std::size_t stride = 1 + triangles.size() / most_samples;
         for (std::size_t k = 0; k < triangles.size(); ++k) {
@@ -217,29 +217,41 @@ private:
         PartBox part{box, 1, std::vector<float>(triangles_.size(), 1.0F)};
         const double width = std::sqrt(box.lengths[1] * box.lengths[2]);
         if (!(width > 0)) return part;
-        std::size_t at = 0;
-        double sum = 0;
-        for (const std::int32_t t : triangles_) {
-            const Vec3 along = box.axes.transpose() * geometry_.normals[t];
-            const Vec3 place = box.axes.transpose() * (geometry_.barycentres[t] - box.centre);
-            double best = 0;
-            for (int k = 0; k < 3; ++k) {
-                const double sign = along[k] > 0 ? 1 : -1;
-                const double distance = std::abs(sign * place[k] - box.lengths[k] / 2);
-                const double near = near_wall(distance / width);
-                if (near <= best) continue;
-                const double angle = std::acos(std::min(1.0, std::abs(along[k]))) * 180 / std::numbers::pi;
-                best = std::max(best, near * along_wall(angle));
-            }
-            sum += geometry_.areas[t] * best;
-            part.memberships[at++] = static_cast<float>(std::max(best, least_membership));
-        }
-        part.fit = sum / area_;
+        constexpr std::size_t chunk = 4096;  // sums of fixed chunks round alike on any number of threads
+        std::vector<double> sums((triangles_.size() + chunk - 1) / chunk, 0.0);
+        for_each_range(
+            sums.size(), threads_,
+            [&](std::size_t begin, std::size_t end) {
+                for (std::size_t c = begin; c < end; ++c)
+                    for (std::size_t at = c * chunk; at < std::min(triangles_.size(), (c + 1) * chunk); ++at) {
+                        const double score = fitting_score(box, width, triangles_[at]);
+                        sums[c] += geometry_.areas[triangles_[at]] * score;
+                        part.memberships[at] = static_cast<float>(std::max(score, least_membership));
+                    }
+            },
+            4);
+        part.fit = std::min(1.0, std::accumulate(sums.begin(), sums.end(), 0.0) / area_);
         return part;
+    }
+
+    [[nodiscard]] double fitting_score(const OrientedBox& box, double width, std::int32_t t) const {
+        const Vec3 along = box.axes.transpose() * geometry_.normals[t];
+        const Vec3 place = box.axes.transpose() * (geometry_.barycentres[t] - box.centre);
+        double best = 0;
+        for (int k = 0; k < 3; ++k) {
+            const double sign = along[k] > 0 ? 1 : -1;
+            const double distance = std::abs(sign * place[k] - box.lengths[k] / 2);
+            const double near = near_wall(distance / width);
+            if (near <= best) continue;
+            const double angle = std::acos(std::min(1.0, std::abs(along[k]))) * 180 / std::numbers::pi;
+            best = std::max(best, near * along_wall(angle));
+        }
+        return best;
     }
 
     const TriangleGeometry& geometry_;
     const std::vector<std::int32_t>& triangles_;
+    int threads_;
     std::vector<std::int32_t> samples_;  ///< what walls are measured on: medians need no more
     std::vector<Vec3> points_;
     std::vector<Weighted> facing_;
@@ -249,8 +261,8 @@ private:
 }  // namespace
 
 PartBox measure_part(const TriangleMesh& mesh, const TriangleGeometry& geometry,
-                     const std::vector<std::int32_t>& triangles) {
-    return Measurer(mesh, geometry, triangles).measure();
+                     const std::vector<std::int32_t>& triangles, int threads) {
+    return Measurer(mesh, geometry, triangles, threads).measure();
 }
 
 }  // namespace partonomy

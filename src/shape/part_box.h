@@ -14,7 +14,8 @@ struct PartBox {
     std::vector<float> memberships;  ///< fitting score of each triangle, in (0, 1]
 };
 
+/// threads <= 0: all cores; the same on any number.
 [[nodiscard]] PartBox measure_part(const TriangleMesh& mesh, const TriangleGeometry& geometry,
-                                   const std::vector<std::int32_t>& triangles);
+                                   const std::vector<std::int32_t>& triangles, int threads = 1);
 
 }  // namespace partonomy

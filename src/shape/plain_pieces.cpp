@@ -16,6 +16,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "shape/corners.h"
 #include "shape/rectangle.h"
 
 namespace partonomy {
@@ -36,12 +37,7 @@ struct Outline {
     Outline(const Surface& s, const std::vector<std::int32_t>& triangles, const Vec3& direction)
         : x(direction.unitOrthogonal()), y(direction.cross(x)) {
         const Vec3& start = s.geometry.barycentres[triangles.front()];
-        std::vector<std::int32_t> corners;
-        corners.reserve(3 * triangles.size());
-        for (const std::int32_t i : triangles)
-            corners.insert(corners.end(), s.mesh.triangles[i].begin(), s.mesh.triangles[i].end());
-        std::sort(corners.begin(), corners.end());
-        corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+        const std::vector<std::int32_t> corners = corners_of(s.mesh, triangles);
         std::vector<Planar> points;
         points.reserve(corners.size());
         for (const std::int32_t corner : corners) {
@@ -66,16 +62,16 @@ std::optional<Rectangle> as_rectangle(const std::vector<Planar>& hull, double si
 
 std::optional<PlainPiece> as_slab(const Surface& s, const std::vector<std::int32_t>& triangles, double thickness,
                                   double area) {
-    const Vec3 facing = s.normals[triangles.front()];
+    const Vec3 facing = s.geometry.normals[triangles.front()];
     Vec3 sum = Vec3::Zero();
     for (const std::int32_t i : triangles) {
-        const double along = s.normals[i].dot(facing);
+        const double along = s.geometry.normals[i].dot(facing);
         if (std::abs(along) < flat_cosine) return std::nullopt;
-        sum += (along > 0 ? s.geometry.areas[i] : -s.geometry.areas[i]) * s.normals[i];
+        sum += (along > 0 ? s.geometry.areas[i] : -s.geometry.areas[i]) * s.geometry.normals[i];
     }
     const Vec3 normal = sum.normalized(), start = s.geometry.barycentres[triangles.front()];
     for (const std::int32_t i : triangles) {
-        const double plane = s.normals[i].dot(normal) > 0 ? 0 : -thickness;
+        const double plane = s.geometry.normals[i].dot(normal) > 0 ? 0 : -thickness;
         const double place = (s.geometry.barycentres[i] - start).dot(normal);
         if (std::abs(place - plane) > flatness * thickness) return std::nullopt;
     }
@@ -90,13 +86,14 @@ std::optional<PlainPiece> as_slab(const Surface& s, const std::vector<std::int32
 std::optional<PlainPiece> as_bar(const Surface& s, const std::vector<std::int32_t>& triangles, double thickness,
                                  double area) {
     Eigen::Matrix3d facing = Eigen::Matrix3d::Zero();
-    for (const std::int32_t i : triangles) facing += s.geometry.areas[i] * s.normals[i] * s.normals[i].transpose();
+    for (const std::int32_t i : triangles)
+        facing += s.geometry.areas[i] * s.geometry.normals[i] * s.geometry.normals[i].transpose();
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(facing);
     const Vec3 axis = eigen.eigenvectors().col(0);
     double low = 0, high = 0;
     const Vec3 start = s.geometry.barycentres[triangles.front()];
     for (const std::int32_t i : triangles) {
-        if (std::abs(s.normals[i].dot(axis)) > across_cosine) return std::nullopt;
+        if (std::abs(s.geometry.normals[i].dot(axis)) > across_cosine) return std::nullopt;
         for (const std::int32_t corner : s.mesh.triangles[i]) {
             const double place = (s.mesh.positions[corner] - start).dot(axis);
             low = std::min(low, place), high = std::max(high, place);

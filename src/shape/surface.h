@@ -13,11 +13,12 @@ namespace partonomy {
 /// What find_parts works on: the caller's surface, cut finer where its triangles are large, so that a box of 12
 /// triangles and the same box of 12,000 look alike. Measurements are per fine triangle.
 struct Surface {
-    TriangleMesh mesh;  ///< fine; input_faces[i] is the number of the caller's triangle
+    explicit Surface(const TriangleMesh& fine) : mesh(fine) {}
+
+    const TriangleMesh& mesh;  ///< fine, and calm where the caller's is rough
     Adjacency adjacency;
-    TriangleGeometry geometry;  ///< of the fine triangles as they are
-    std::vector<Vec3> normals;  ///< smoothed where the mesh is noisy
-    Thickness thickness;        ///< along the smoothed normals
+    TriangleGeometry geometry;
+    Thickness thickness;
     std::vector<char> creases;  ///< triangles in concave creases, where noise was taken out; empty for a clean mesh
     std::unique_ptr<RayScene> scene;  ///< the caller's triangles; hits are told in fine ones
     int threads = 1;                  ///< to use; <= 0: all cores

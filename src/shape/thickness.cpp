@@ -5,11 +5,19 @@
 
 #include "shape/thickness.h"
 
+#include <algorithm>
+#include <array>
 #include <limits>
 
-#include "shape/ranges.h"
+#include "base/ranges.h"
 
 namespace partonomy {
+
+namespace {
+
+constexpr std::size_t packet = 16;  // triangles that follow each other are mostly near each other
+
+}  // namespace
 
 Thickness measure_thickness(const TriangleMesh& mesh, const TriangleGeometry& geometry, int threads) {
     return measure_thickness(RayScene(mesh, threads), geometry, threads);
@@ -20,16 +28,29 @@ Thickness measure_thickness(const RayScene& scene, const TriangleGeometry& geome
     Thickness thickness;
     thickness.distances.resize(count);
     thickness.opposites.resize(count);
-    for_each_range(count, threads, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const WallHit hit =
-                geometry.areas[i] > 0
-                    ? scene.exit_wall({geometry.barycentres[i], -geometry.normals[i], static_cast<std::int32_t>(i)})
-                    : WallHit{std::numeric_limits<float>::infinity(), -1};
-            thickness.distances[i] = hit.distance;
-            thickness.opposites[i] = hit.triangle;
-        }
-    });
+    // Packets begin at multiples of their size, so that they hold the same rays on any number of threads.
+    for_each_range(
+        (count + packet - 1) / packet, threads,
+        [&](std::size_t begin, std::size_t end) {
+            std::array<InnerRay, packet> rays;
+            std::array<WallHit, packet> hits;
+            for (std::size_t p = begin; p < end; ++p) {
+                const std::size_t first = p * packet, last = std::min(count, first + packet);
+                std::size_t shot = 0;
+                for (std::size_t i = first; i < last; ++i)
+                    if (geometry.areas[i] > 0)
+                        rays[shot++] = {geometry.barycentres[i], -geometry.normals[i], static_cast<std::int32_t>(i)};
+                scene.exit_walls({rays.data(), shot}, {hits.data(), shot});
+                shot = 0;
+                for (std::size_t i = first; i < last; ++i) {
+                    const WallHit hit =
+                        geometry.areas[i] > 0 ? hits[shot++] : WallHit{std::numeric_limits<float>::infinity(), -1};
+                    thickness.distances[i] = hit.distance;
+                    thickness.opposites[i] = hit.triangle;
+                }
+            }
+        },
+        128);
     return thickness;
 }
 

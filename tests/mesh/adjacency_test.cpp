@@ -6,6 +6,7 @@
 #include <random>
 #include <set>
 
+#include "mesh/parallel.h"
 #include "mesh/shapes.h"
 
 namespace partonomy {
@@ -123,6 +124,7 @@ TEST(BuildAdjacency, AgreesWithAMapOfEdges) {
             mesh.triangles.push_back({v + 1, v + n + 1, v + n});
         }
     std::shuffle(mesh.triangles.begin(), mesh.triangles.end(), random);
+    EXPECT_EQ(build_adjacency(mesh).neighbours, build_adjacency(mesh, 2).neighbours);
     std::map<std::pair<int, int>, std::vector<std::int32_t>> edges;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
         for (std::size_t e = 0; e < 3; ++e)

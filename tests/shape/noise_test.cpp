@@ -119,8 +119,9 @@ TEST(Calm, LeavesCleanMeshesAloneAndCalmsRoughOnes) {
     const Adjacency adjacency = build_adjacency(mesh);
     TriangleGeometry geometry = compute_geometry(mesh);
     const std::vector<Vec3> before = mesh.positions;
-    EXPECT_EQ(calm(mesh, adjacency, geometry).grain, 0);
-    EXPECT_EQ(mesh.positions, before);
+    const Calming untouched = calm(mesh, adjacency, geometry);
+    EXPECT_EQ(untouched.grain, 0);
+    EXPECT_TRUE(untouched.mesh.positions.empty());
     std::mt19937 random(8);
     add_grains(mesh, 0.005, random);
     geometry = compute_geometry(mesh);
@@ -131,7 +132,7 @@ TEST(Calm, LeavesCleanMeshesAloneAndCalmsRoughOnes) {
     EXPECT_LT(roughness(adjacency, geometry), 3);
     EXPECT_GT(rough, 20);
     double off = 0;  // root mean square distance from the clean surface's vertices
-    for (std::size_t v = 0; v < before.size(); ++v) off += (mesh.positions[v] - before[v]).squaredNorm();
+    for (std::size_t v = 0; v < before.size(); ++v) off += (calming.mesh.positions[v] - before[v]).squaredNorm();
     EXPECT_LT(std::sqrt(off / static_cast<double>(before.size())), 0.6 * 0.005 * compute_bounds(mesh).diagonal());
 }
 

@@ -60,34 +60,39 @@ TEST(Rectangle, HullHoldsAllPointsAndTurnsLeft) {
 
 /// A closed strip of walls between a polygon at the bottom and the same one at the top, turned any way, and its two
 /// ends after them; four triangles a wall.
-Surface prism(const std::vector<Planar>& outline, double height, unsigned seed) {
+TriangleMesh prism(const std::vector<Planar>& outline, double height, unsigned seed) {
     std::mt19937 generator(seed);
     std::normal_distribution<double> place;
     const Eigen::Matrix3d turn =
         Eigen::Quaterniond(place(generator), place(generator), place(generator), place(generator))
             .normalized()
             .toRotationMatrix();
-    Surface s;
+    TriangleMesh mesh;
     const auto count = static_cast<std::int32_t>(outline.size());
     for (const double z : {0.0, height / 2, height})
-        for (const Planar& p : outline) s.mesh.positions.push_back(turn * Vec3(p.x, p.y, z));
+        for (const Planar& p : outline) mesh.positions.push_back(turn * Vec3(p.x, p.y, z));
     for (std::int32_t k = 0; k < count; ++k)
         for (const std::int32_t level : {0, count}) {
             const std::int32_t a = level + k, b = level + (k + 1) % count;
-            s.mesh.triangles.push_back({a, b, b + count});
-            s.mesh.triangles.push_back({a, b + count, a + count});
+            mesh.triangles.push_back({a, b, b + count});
+            mesh.triangles.push_back({a, b + count, a + count});
         }
     for (std::int32_t k = 1; k + 1 < count; ++k) {
-        s.mesh.triangles.push_back({0, k + 1, k});
-        s.mesh.triangles.push_back({2 * count, 2 * count + k, 2 * count + k + 1});
+        mesh.triangles.push_back({0, k + 1, k});
+        mesh.triangles.push_back({2 * count, 2 * count + k, 2 * count + k + 1});
     }
-    s.geometry = compute_geometry(s.mesh);
-    s.normals = s.geometry.normals;
-    s.size = compute_bounds(s.mesh).diagonal();
+    return mesh;
+}
+
+Surface measured(const TriangleMesh& mesh) {
+    Surface s(mesh);
+    s.geometry = compute_geometry(mesh);
+    s.size = compute_bounds(mesh).diagonal();
     return s;
 }
 
-std::optional<PlainPiece> look_at(const Surface& s, std::int32_t begin, std::int32_t end, double thickness) {
+std::optional<PlainPiece> look_at(const TriangleMesh& mesh, std::int32_t begin, std::int32_t end, double thickness) {
+    const Surface s = measured(mesh);
     std::vector<std::int32_t> triangles;
     double area = 0;
     for (std::int32_t t = begin; t < end; ++t) {
@@ -100,12 +105,12 @@ std::optional<PlainPiece> look_at(const Surface& s, std::int32_t begin, std::int
 TEST(PlainPieces, BoardBetweenItsLargeFaces) {
     for (unsigned seed = 0; seed < 20; ++seed) {
         SCOPED_TRACE(seed);
-        const Surface s = prism({{0, 0}, {5, 0}, {5, 3}, {0, 3}}, 0.2, seed);
-        const auto piece = look_at(s, 16, 20, 0.2);  // the two ends
+        const TriangleMesh mesh = prism({{0, 0}, {5, 0}, {5, 3}, {0, 3}}, 0.2, seed);
+        const auto piece = look_at(mesh, 16, 20, 0.2);  // the two ends
         ASSERT_TRUE(piece);
         EXPECT_NEAR(piece->narrow, 3, 1e-9);
         EXPECT_NEAR(piece->wide, 5, 1e-9);
-        const Vec3 side = (s.mesh.positions[1] - s.mesh.positions[0]).normalized();
+        const Vec3 side = (mesh.positions[1] - mesh.positions[0]).normalized();
         EXPECT_NEAR(std::abs(piece->along.dot(side)), 1, 1e-9);
     }
 }
@@ -113,35 +118,35 @@ TEST(PlainPieces, BoardBetweenItsLargeFaces) {
 TEST(PlainPieces, StickBetweenItsFourWalls) {
     for (unsigned seed = 0; seed < 20; ++seed) {
         SCOPED_TRACE(seed);
-        const Surface s = prism({{0, 0}, {0.5, 0}, {0.5, 0.4}, {0, 0.4}}, 6, seed);
-        const auto piece = look_at(s, 0, 16, 0.45);
+        const TriangleMesh mesh = prism({{0, 0}, {0.5, 0}, {0.5, 0.4}, {0, 0.4}}, 6, seed);
+        const auto piece = look_at(mesh, 0, 16, 0.45);
         ASSERT_TRUE(piece);
         EXPECT_NEAR(piece->narrow, 0.5 * 0.4 / 0.45, 1e-9);
         EXPECT_NEAR(piece->wide, 6, 1e-9);
-        EXPECT_NEAR(std::abs(piece->along.dot((s.mesh.positions[4] - s.mesh.positions[0]).normalized())), 1, 1e-9);
+        EXPECT_NEAR(std::abs(piece->along.dot((mesh.positions[4] - mesh.positions[0]).normalized())), 1, 1e-9);
     }
 }
 
 TEST(PlainPieces, WhatMayHaveToBeCutIsNone) {
     // A comb: a board with two posts as thick as it.
-    const Surface comb = prism({{0, 0}, {1, 0}, {1, 3}, {4, 3}, {4, 0}, {5, 0}, {5, 5}, {0, 5}}, 0.3, 1);
-    const auto ends = static_cast<std::int32_t>(comb.mesh.triangles.size());
+    const TriangleMesh comb = prism({{0, 0}, {1, 0}, {1, 3}, {4, 3}, {4, 0}, {5, 0}, {5, 5}, {0, 5}}, 0.3, 1);
+    const auto ends = static_cast<std::int32_t>(comb.triangles.size());
     std::vector<std::int32_t> walls;
     double area = 0;  // the ends' triangles overlap where the outline turns in; their count does not matter here
     for (std::int32_t t = 32; t < ends; ++t) {
         walls.push_back(t);
         area += 2 * 19.0 / (ends - 32);
     }
-    EXPECT_FALSE(as_plain_piece(comb, walls, 0.3, area));
+    EXPECT_FALSE(as_plain_piece(measured(comb), walls, 0.3, area));
     // A triangle is no rectangle, a sphere-like drum has walls all around.
-    const Surface wedge = prism({{0, 0}, {4, 0}, {2, 3}}, 0.3, 2);
+    const TriangleMesh wedge = prism({{0, 0}, {4, 0}, {2, 3}}, 0.3, 2);
     EXPECT_FALSE(look_at(wedge, 12, 14, 0.3));
     std::vector<Planar> circle;
     for (int k = 0; k < 24; ++k)
         circle.push_back({std::cos(2 * std::numbers::pi * k / 24), std::sin(2 * std::numbers::pi * k / 24)});
     EXPECT_FALSE(look_at(prism(circle, 3, 3), 0, 24 * 4, 2));
     // Walls of which a part is missing.
-    const Surface board = prism({{0, 0}, {5, 0}, {5, 3}, {0, 3}}, 0.2, 4);
+    const TriangleMesh board = prism({{0, 0}, {5, 0}, {5, 3}, {0, 3}}, 0.2, 4);
     EXPECT_FALSE(look_at(board, 16, 19, 0.2));
 }
 

@@ -1,4 +1,4 @@
-#include "shape/ranges.h"
+#include "base/ranges.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "mesh/triangle_mesh.h"
+
+namespace partonomy {
+
+// What large meshes need on several threads; threads <= 0: all cores. The answers are the same on any number.
+
+[[nodiscard]] Adjacency build_adjacency(const TriangleMesh& mesh, int threads);
+[[nodiscard]] TriangleGeometry compute_geometry(const TriangleMesh& mesh, int threads);
+
+}  // namespace partonomy
