@@ -129,7 +129,7 @@ Answer by_planes(const Mesh& mesh, double size) {
     std::vector<std::vector<std::size_t>> regions;
     answer.ms = time_ms([&] {
         Query query(mesh);
-        Plane plane(mesh, 0.01 * size, 25, 20);
+        Plane plane(mesh, 0.01 * size, 25, 20, get(CGAL::vertex_point, mesh));
         const Mesh::Face_range faces = mesh.faces();
         Growing growing(faces, query, plane);
         growing.detect(std::back_inserter(regions));

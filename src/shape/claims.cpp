@@ -355,8 +355,7 @@ void found_new_parts(const Surface& s, Parts& parts) {
         for (const std::int32_t i : piece) all.push_back(s.thickness.distances[i]);
         std::nth_element(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2), all.end());
         core.thickness = all[all.size() / 2];
-        const bool is_fin = core.thickness < s.grain && area < largest_fin * total;
-        if (is_fin || area < 3 * core.thickness * core.thickness) continue;
+        if (is_fin(s, core.thickness, area / total) || area < 3 * core.thickness * core.thickness) continue;
         for (const std::int32_t i : piece) parts.part_of[i] = static_cast<std::int32_t>(parts.parts.size());
         parts.parts.push_back(std::move(core));
     }

@@ -450,8 +450,7 @@ void drop_odd_thickness(const Surface& s, Core& component, bool slanted) {
 std::vector<Core> divide(const Surface& s, std::vector<Core> components, double total_area, double least_cubes,
                          bool slanted) {
     const auto too_small = [&](Core& core) {
-        const bool is_fin = core.thickness < s.grain && core.area < largest_fin * total_area;
-        return core.area < least_share * total_area || is_fin ||
+        return core.area < least_share * total_area || is_fin(s, core.thickness, core.area / total_area) ||
                core.area < least_cubes * core.thickness * core.thickness;
     };
     std::vector<Core> cores;

@@ -10,8 +10,11 @@ namespace partonomy {
 /// What the space around a triangle's middle point (halfway to the opposite wall) looks like.
 enum class Solidity : std::uint8_t { unknown, board, stick, cube };
 
-/// Folds that noise makes at creases are thin and not larger than this share of the whole surface.
-inline constexpr double largest_fin = 0.01;
+/// Whether something may be but a fold that noise made at a crease: a small piece that is thinner than some triangles
+/// are wide, or a larger one that is hardly thicker than one.
+[[nodiscard]] inline bool is_fin(const Surface& s, double thickness, double area_share) {
+    return (thickness < s.grain && area_share < 0.01) || (thickness < 0.6 * s.grain && area_share < 0.02);
+}
 
 /// The sure part of a part: triangles whose opposite wall belongs to it too.
 struct Core {

@@ -4,7 +4,12 @@
 // sticks are one when they are in line and pass into each other over most of their common border, without a concave
 // crease; when one of them is a stump without a direction and they lie to both sides of a ring, like two halves of a
 // stick that was sawn through; or when they lie in the same place, as do the two pairs of walls of a stick whose edges
-// noise has torn open. Cost: O(n) a round; a round joins at least one pair.
+// noise has torn open. Two boards are one when they lie in the same plane and pass into each other, as a board does
+// whose one wall is parted by what stands on it.
+//
+// Noise tears more. Then a piece of a stick also joins the one whose line it continues, whatever creases the noise has
+// made between them, and a bulge of a board joins the board that is all around it. Cost: O(n) a round; a round joins at
+// least one pair.
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -99,6 +104,16 @@ bool is_sawn(const Border& border, const Lie& a, const Lie& b, double thickness)
     return along_a * along_b < 0 && std::min(std::abs(along_a), std::abs(along_b)) > straight;
 }
 
+/// Whether a piece of a stick lies where the line of a longer one goes on, and all of their sections meet.
+bool goes_on(const Border& border, const Lie& piece, const Lie& stick, double thickness) {
+    constexpr double beside = 0.35, across = 0.7, least_section = 0.3;
+    const Vec3 area = border.area();
+    if (area.norm() < least_section * thickness * thickness) return false;
+    if (std::abs(area.dot(stick.axis)) < across * area.norm()) return false;
+    const Vec3 way = piece.inside - stick.inside;
+    return (way - way.dot(stick.axis) * stick.axis).norm() < beside * thickness + 0.1 * way.norm();
+}
+
 /// Whether two sticks lie in the same place, as do the two pairs of walls of one stick.
 bool is_same_place(const Lie& a, const Lie& b, double thickness) {
     constexpr double long_enough = 1.5, beside = 0.35, straight = 0.9;
@@ -108,10 +123,27 @@ bool is_same_place(const Lie& a, const Lie& b, double thickness) {
     return (way - along * b.axis).norm() < beside * thickness && std::abs(along) < (a.length + b.length) / 4;
 }
 
+/// Whether the middle of a part lies between the walls of a board, continued.
+bool is_within(const Lie& lie, const Core& board) {
+    return board.half > 0 && std::abs((lie.middle - board.middle).dot(board.normal)) < 0.75 * board.half;
+}
+
+/// Whether two boards lie in the same plane and pass into each other.
+bool is_same_board(const Border& border, const Core& a, const Core& b, const Lie& lie_a, const Lie& lie_b) {
+    constexpr double parallel = 0.9, wide_enough = 2;
+    if (border.smooth < wide_enough * (a.thickness + b.thickness) / 2) return false;
+    if (std::abs(a.normal.dot(b.normal)) < parallel) return false;
+    const Vec3 way = lie_b.inside - lie_a.inside;
+    const double reach = 0.1 * way.norm() + std::max(a.thickness, b.thickness) / 2;
+    return std::abs(way.dot(b.normal)) < reach && std::abs(way.dot(a.normal)) < reach;
+}
+
 }  // namespace
 
 void merge_parts(const Surface& s, Parts& parts) {
-    constexpr double facing = 0.4, unlike = 1.8;
+    constexpr double facing = 0.4, surrounded = 0.8, exactly_alike = 1.25, far_unlike = 4;
+    const bool is_noisy = s.grain > 0;
+    const double unlike = is_noisy ? 2.5 : 1.8;
     for (bool changed = true; changed;) {
         changed = false;
         std::vector<double> area(parts.parts.size(), 0.0);
@@ -123,14 +155,18 @@ void merge_parts(const Surface& s, Parts& parts) {
             if (o >= 0 && parts.part_of[o] >= 0 && parts.part_of[o] != own)
                 seen.at(own, parts.part_of[o]) += s.geometry.areas[i];
         }
-        std::vector<double> border(parts.parts.size(), 0.0);
+        std::vector<double> border(parts.parts.size(), 0.0), free(parts.parts.size(), 0.0);  // to parts, to none
         PairMap<Border> borders;
         for (std::size_t i = 0; i < s.count(); ++i)
             for (int e = 0; e < 3; ++e) {
                 const std::int32_t own = parts.part_of[i], j = s.adjacency.neighbours[i][e];
-                if (own < 0 || j < 0 || parts.part_of[j] < 0 || parts.part_of[j] == own) continue;
+                if (own < 0 || j < 0 || parts.part_of[j] == own) continue;
                 const auto& corners = s.mesh.triangles[i];
                 const Vec3 &from = s.mesh.positions[corners[e]], &to = s.mesh.positions[corners[(e + 1) % 3]];
+                if (parts.part_of[j] < 0) {
+                    free[own] += (to - from).norm();
+                    continue;
+                }
                 Border& common = borders.at(own, parts.part_of[j]);
                 common.add(from, to);
                 border[own] += (to - from).norm();
@@ -147,16 +183,32 @@ void merge_parts(const Surface& s, Parts& parts) {
         for (const auto& [pair, common] : borders.all) {
             const auto [a, b] = pair;
             if (area[a] > area[b]) continue;
-            if (parts.parts[a].kind == Solidity::board || parts.parts[b].kind == Solidity::board) continue;
+            const bool is_board = parts.parts[a].kind == Solidity::board;
             const double thin = std::min(parts.parts[a].thickness, parts.parts[b].thickness);
             const double thick = std::max(parts.parts[a].thickness, parts.parts[b].thickness);
+            if (!is_board && parts.parts[b].kind == Solidity::board) {
+                if (is_noisy && common.smooth > surrounded * (border[a] + free[a]) &&
+                    is_within(lie_of(a), parts.parts[b]))
+                    seen.at(a, b) += area[a];
+                continue;
+            }
+            if (is_board != (parts.parts[b].kind == Solidity::board)) continue;
+            if (is_board) {
+                if (thick < (is_noisy ? unlike : exactly_alike) * thin && parts.parts[a].half > 0 &&
+                    parts.parts[b].half > 0 &&
+                    is_same_board(common, parts.parts[a], parts.parts[b], lie_of(a), lie_of(b)))
+                    seen.at(a, b) += area[a];
+                continue;
+            }
             const bool alike = thick < unlike * thin;
             // Sticks in line meet all around, not only where noise lets their cores touch; unless they are alike in
             // thickness, nothing but a whole ring will do.
             const bool meet = common.smooth > 0.5 * border[a] && common.smooth > (alike ? 2 : 3) * thin;
             const auto is_in_line = [&] { return std::abs(lie_of(a).axis.dot(lie_of(b).axis)) > 0.8; };
+            const bool are_sticks = parts.parts[a].kind == Solidity::stick && parts.parts[b].kind == Solidity::stick;
             if (!(meet && (is_in_line() || (alike && is_sawn(common, lie_of(a), lie_of(b), thin)))) &&
-                !(alike && is_same_place(lie_of(a), lie_of(b), thin)))
+                !(alike && is_same_place(lie_of(a), lie_of(b), thin)) &&
+                !(is_noisy && are_sticks && thick < far_unlike * thin && goes_on(common, lie_of(a), lie_of(b), thick)))
                 continue;
             seen.at(a, b) += area[a];
         }

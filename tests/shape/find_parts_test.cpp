@@ -118,6 +118,16 @@ TEST(FindParts, TwoBoardsAtARightAngle) {
     }
 }
 
+TEST(FindParts, ABoardThatCarriesAnotherInItsMiddleIsOneBoard) {
+    for (const double step : {10.0, 0.02}) {
+        const Labelled object =
+            shapes::join({{Vec3(0, 0, 0), Vec3(1, 0.6, 0.1), 0}, {Vec3(0.45, 0, 0.1), Vec3(0.55, 0.6, 0.8), 1}}, step);
+        const std::vector<PartRegion> parts = find_parts(object.mesh);
+        EXPECT_EQ(parts.size(), 2U) << step;
+        EXPECT_EQ(accuracy(object, parts), 1) << step;
+    }
+}
+
 TEST(FindParts, ATableIsATopAndFourLegs) {
     for (const double step : {10.0, 0.04, 0.015}) {
         const Labelled object = table(step);

@@ -101,6 +101,64 @@ INSTANTIATE_TEST_SUITE_P(Kinds, FreshNoise,
                                          Noise{"Grains10", add_grains, 0.01, 0.985}),
                          [](const auto& noise) { return std::string(noise.param.name); });
 
+struct OtherShape {
+    const char* name;
+    std::vector<shapes::Block> blocks;
+};
+
+class OtherShapesUnderNoise : public testing::TestWithParam<OtherShape> {};
+
+TEST_P(OtherShapesUnderNoise, KeepTheirParts) {
+    const Labelled clean = shapes::join(GetParam().blocks, 0.015);
+    const std::size_t parts = GetParam().blocks.size();
+    for (const auto add : {add_waves, add_grains})
+        for (const unsigned seed : {21U, 22U}) {
+            SCOPED_TRACE(testing::Message() << (add == add_waves ? "waves" : "grains") << ", seed " << seed);
+            std::mt19937 random(seed);
+            TriangleMesh mesh = clean.mesh;
+            add(mesh, 0.01, random);
+            const std::vector<PartRegion> regions = find_parts(mesh);
+            EXPECT_EQ(regions.size(), parts);
+            std::size_t good = 0;
+            for (const PartRegion& region : regions) {
+                std::map<int, std::size_t> votes;
+                std::size_t most = 0;
+                for (const std::int32_t t : region.region.triangles)
+                    most = std::max(most, ++votes[clean.parts[static_cast<std::size_t>(t)]]);
+                good += most;
+            }
+            EXPECT_GE(static_cast<double>(good) / static_cast<double>(mesh.triangles.size()), 0.97);
+        }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Kinds, OtherShapesUnderNoise,
+    testing::Values(OtherShape{"ThinBoard", {{Vec3(0, 0, 0), Vec3(1, 0.7, 0.05), 0}}},
+                    OtherShape{"BoardOnBoard",
+                               {{Vec3(0, 0, 0), Vec3(1, 0.6, 0.1), 0}, {Vec3(0.45, 0, 0.1), Vec3(0.55, 0.6, 0.8), 1}}},
+                    OtherShape{"FlushBoards",
+                               {{Vec3(0, 0, 0), Vec3(1, 0.5, 0.12), 0}, {Vec3(0, 0.38, 0.12), Vec3(1, 0.5, 0.7), 1}}},
+                    OtherShape{"TableWithFlushLegs",
+                               {{Vec3(0, 0, 0.6), Vec3(1, 0.7, 0.7), 0},
+                                {Vec3(0, 0, 0), Vec3(0.14, 0.14, 0.6), 1},
+                                {Vec3(0.86, 0, 0), Vec3(1, 0.14, 0.6), 2},
+                                {Vec3(0, 0.56, 0), Vec3(0.14, 0.7, 0.6), 3},
+                                {Vec3(0.86, 0.56, 0), Vec3(1, 0.7, 0.6), 4}}}),
+    [](const auto& shape) { return std::string(shape.param.name); });
+
+TEST(NoisyMesh, IsCutTheSameOnAnyNumberOfThreads) {
+    TriangleMesh mesh = cube_with_parts().mesh;
+    std::mt19937 random(5);
+    add_grains(mesh, 0.005, random);
+    const std::vector<PartRegion> one = find_parts(mesh, {.threads = 1}), two = find_parts(mesh, {.threads = 2});
+    ASSERT_EQ(one.size(), two.size());
+    for (std::size_t k = 0; k < one.size(); ++k) {
+        EXPECT_EQ(one[k].region.triangles, two[k].region.triangles);
+        EXPECT_EQ(one[k].box.lengths, two[k].box.lengths);
+        EXPECT_EQ(one[k].fit, two[k].fit);
+    }
+}
+
 TEST(Roughness, TellsNoiseFromShape) {
     const auto measure = [](const TriangleMesh& mesh) {
         return roughness(build_adjacency(mesh), compute_geometry(mesh));
