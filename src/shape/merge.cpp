@@ -206,7 +206,8 @@ void merge_parts(const Surface& s, Parts& parts) {
             const bool meet = common.smooth > 0.5 * border[a] && common.smooth > (alike ? 2 : 3) * thin;
             const auto is_in_line = [&] { return std::abs(lie_of(a).axis.dot(lie_of(b).axis)) > 0.8; };
             const bool are_sticks = parts.parts[a].kind == Solidity::stick && parts.parts[b].kind == Solidity::stick;
-            if (!(meet && (is_in_line() || (alike && is_sawn(common, lie_of(a), lie_of(b), thin)))) &&
+            if (!(meet && (((alike || are_sticks) && is_in_line()) ||
+                           (alike && is_sawn(common, lie_of(a), lie_of(b), thin)))) &&
                 !(alike && is_same_place(lie_of(a), lie_of(b), thin)) &&
                 !(is_noisy && are_sticks && thick < far_unlike * thin && goes_on(common, lie_of(a), lie_of(b), thick)))
                 continue;
