@@ -31,7 +31,10 @@ struct Axis {
     std::vector<std::uint32_t> first;  ///< plane of each mark
 
     Axis(int axis, double step) {
-        for (const Box& box : boxes) marks.insert(marks.end(), {box.low[axis], box.high[axis]});
+        for (const Box& box : boxes) {
+            marks.push_back(box.low[axis]);
+            marks.push_back(box.high[axis]);
+        }
         std::sort(marks.begin(), marks.end());
         marks.erase(std::unique(marks.begin(), marks.end()), marks.end());
         for (std::size_t m = 0; m < marks.size(); ++m) {
