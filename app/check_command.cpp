@@ -37,7 +37,8 @@ ordered_json number(const std::string& digits) {
 }
 
 std::string words_of(const knowledge::Variable& variable) {
-    if (variable.kind == knowledge::VariableKind::relation) return to_manchester(*variable.part_class);
+    if (variable.kind == knowledge::VariableKind::relation || variable.kind == knowledge::VariableKind::open)
+        return to_manchester(*variable.part_class);
     if (variable.kind == knowledge::VariableKind::parts)
         return fmt::format("hasPart min {} {}", variable.threshold, to_manchester(*variable.part_class));
     return owl::local_name(variable.iri);

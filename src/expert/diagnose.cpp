@@ -123,7 +123,9 @@ std::string axiom_in_words(const owl::Axiom& axiom) {
 }
 
 std::string feature_name(const knowledge::Variable& variable) {
-    return variable.kind == knowledge::VariableKind::relation ? to_manchester(*variable.part_class) : variable.iri;
+    return variable.kind == knowledge::VariableKind::relation || variable.kind == knowledge::VariableKind::open
+               ? to_manchester(*variable.part_class)
+               : variable.iri;
 }
 
 Knowledge recall(const Domain& domain, int part_count, bool is_complete, const std::vector<LearnedAnswer>& answers,

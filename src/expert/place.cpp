@@ -14,7 +14,6 @@
 #include <array>
 #include <map>
 #include <optional>
-#include <sstream>
 
 #include "shape/membership.h"
 #include "shape/resting.h"
@@ -31,14 +30,8 @@ constexpr double unrecognised = 0.1, forbidden = 0.9, toppling = 0.05;  // what 
 /// Trapezoids of core:typicalHeight by the local name of the concept.
 std::map<std::string, Trapezoid> typical_heights(const knowledge::Domain& domain) {
     std::map<std::string, Trapezoid> heights;
-    for (const auto& [iri, annotations] : domain.ontology.annotations)
-        for (const owl::Annotation& annotation : annotations) {
-            if (annotation.property != std::string(owl::core_prefix) + "typicalHeight") continue;
-            std::istringstream words(annotation.literal.value);
-            Trapezoid trapezoid{};
-            if (words >> trapezoid.a1 >> trapezoid.a2 >> trapezoid.a3 >> trapezoid.a4)
-                heights[owl::local_name(iri)] = trapezoid;
-        }
+    for (const auto& [iri, height] : domain.typical_heights)
+        heights[owl::local_name(iri)] = {height.a1, height.a2, height.a3, height.a4};
     return heights;
 }
 

@@ -79,6 +79,33 @@ int Grounder::is_first(int individual) {
     return clauses.all_of(literals);
 }
 
+void Grounder::learn_known() {
+    const auto everybody = static_cast<std::size_t>(count_);
+    for (int individual = 0; individual < count_; ++individual) everybody_.push_back(individual);
+    for (const ClosedWorld::Known& each : world.known) {
+        KnownProperty& known = known_[properties.add(each.property)];
+        known.is_among.assign(everybody, 0);
+        for (const Iri& iri : each.among) known.is_among[static_cast<std::size_t>(individuals.ids.at(iri))] = 1;
+        for (auto& related : known.related) related.assign(everybody, {});
+        for (const auto& [subject, object] : each.possible) {
+            const int from = individuals.ids.at(subject), to = individuals.ids.at(object);
+            known.related[0][static_cast<std::size_t>(from)].push_back(to);
+            known.related[1][static_cast<std::size_t>(to)].push_back(from);
+        }
+        for (auto& related : known.related)
+            for (std::vector<int>& row : related) make_set(row, 0);
+        for (int individual = 0; individual < count_; ++individual)
+            if (!known.is_among[static_cast<std::size_t>(individual)]) known.others.push_back(individual);
+    }
+}
+
+const std::vector<int>& Grounder::candidates(Property property, int subject) const {
+    const auto found = known_.find(property.id);
+    if (found == known_.end()) return everybody_;
+    const auto row = static_cast<std::size_t>(subject);
+    return found->second.is_among[row] ? found->second.related[property.inverse ? 1 : 0][row] : found->second.others;
+}
+
 int& Grounder::slot(const Atom& atom) {
     const auto subject = static_cast<std::size_t>(atom.subject);
     const auto other = static_cast<std::size_t>(atom.other);
@@ -128,6 +155,8 @@ int Grounder::property_atom(Property property, int subject, int object) {
     if (property.id == Property::top) return always_;
     if (property.id == Property::bottom) return -always_;
     if (property.inverse) std::swap(subject, object);
+    if (known_.contains(property.id) && !std::ranges::binary_search(candidates({property.id, false}, subject), object))
+        return -always_;
     return atom({Atom::Kind::property, property.id, subject, object});
 }
 

@@ -64,6 +64,7 @@ Grounder::Grounder(ClosedWorld given, const GroundOptions& limits, std::vector<o
     is_collecting_ = false;
     with_place(nullptr, [&] { choose_values(); });
     with_place(nullptr, [&] { make_equalities(); });
+    learn_known();
     for (std::size_t i = 0; i < world.ontology.axioms.size(); ++i) {
         selector_ = selectors[i];
         with_place(&world.ontology.axioms[i], [&] { ground(world.ontology.axioms[i]); });

@@ -2,6 +2,7 @@
    individuals" is owl:Thing EquivalentTo {…}; that data properties may have any literal is what OWL says anyway. */
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "base/errors.h"
@@ -60,6 +61,48 @@ private:
     }
 };
 
+ClassPointer one_of(std::vector<Iri> individuals) {
+    auto result = std::make_shared<ClassExpression>();
+    result->kind = owl::ClassKind::one_of;
+    result->individuals = std::move(individuals);
+    return result;
+}
+
+/// "x: p only {…}" for who has values of the (inverse) property, "{…} SubClassOf: p max 0" for the others.
+void close_property(const ClosedWorld::Known& known, bool inverse, owl::Ontology& result) {
+    std::map<Iri, std::vector<Iri>> related;
+    for (const auto& [subject, object] : known.possible)
+        related[name_of(inverse ? object : subject)].push_back(name_of(inverse ? subject : object));
+    std::vector<Iri> others;
+    for (const Iri& iri : known.among) {
+        const auto found = related.find(name_of(iri));
+        if (found == related.end()) {
+            others.push_back(name_of(iri));
+            continue;
+        }
+        auto only = std::make_shared<ClassExpression>();
+        only->kind = owl::ClassKind::all_values_from;
+        only->property = {known.property, inverse};
+        only->operands = {one_of(found->second)};
+        owl::Axiom axiom{};
+        axiom.kind = owl::AxiomKind::class_assertion;
+        axiom.classes = {only};
+        axiom.individuals = {found->first};
+        result.axioms.push_back(std::move(axiom));
+    }
+    if (others.empty()) return;
+    auto nothing = std::make_shared<ClassExpression>();
+    nothing->iri = std::string(owl::owl_prefix) + "Nothing";
+    auto none = std::make_shared<ClassExpression>();
+    none->kind = owl::ClassKind::all_values_from;
+    none->property = {known.property, inverse};
+    none->operands = {nothing};
+    owl::Axiom axiom{};
+    axiom.kind = owl::AxiomKind::sub_class_of;
+    axiom.classes = {one_of(std::move(others)), none};
+    result.axioms.push_back(std::move(axiom));
+}
+
 }  // namespace
 
 owl::Ontology closed_ontology(const ClosedWorld& world) {
@@ -84,9 +127,7 @@ owl::Ontology closed_ontology(const ClosedWorld& world) {
             result.entities.insert(place, {owl::EntityKind::individual, iri, {}});
         }
 
-    auto all = std::make_shared<ClassExpression>();
-    all->kind = owl::ClassKind::one_of;
-    all->individuals.assign(everybody.begin(), everybody.end());
+    const ClassPointer all = one_of({everybody.begin(), everybody.end()});
     auto thing = std::make_shared<ClassExpression>();
     thing->kind = owl::ClassKind::named;
     thing->iri = std::string(owl::owl_prefix) + "Thing";
@@ -94,6 +135,9 @@ owl::Ontology closed_ontology(const ClosedWorld& world) {
     closure.kind = owl::AxiomKind::equivalent_classes;
     closure.classes = {thing, all};
     result.axioms.push_back(std::move(closure));
+
+    for (const ClosedWorld::Known& known : world.known)
+        for (const bool inverse : {false, true}) close_property(known, inverse, result);
 
     std::set<Iri> different;
     for (const Iri& iri : world.individuals) different.insert(name_of(iri));

@@ -98,7 +98,7 @@ int Grounder::holds(int expression, int individual) {
 
 int Grounder::some_related(Property property, int filler, int individual) {
     std::vector<int> witnesses;
-    for (int other = 0; other < count_; ++other)
+    for (const int other : candidates(property, individual))
         witnesses.push_back(clauses.all_of({property_atom(property, individual, other), holds(filler, other)}));
     return clauses.any_of(witnesses);
 }
@@ -108,7 +108,7 @@ int Grounder::at_least_related(Property property, int filler, int individual, st
     if (count > static_cast<std::uint64_t>(count_)) return -always_;
     if (count == 1) return some_related(property, filler, individual);
     std::vector<int> witnesses;
-    for (int other = 0; other < count_; ++other)
+    for (const int other : candidates(property, individual))
         witnesses.push_back(
             clauses.all_of({property_atom(property, individual, other), holds(filler, other), is_first(other)}));
     return clauses.at_least(witnesses, static_cast<unsigned>(count));
@@ -139,7 +139,7 @@ int Grounder::make_literal(const Expression& expression, int individual) {
             return some_related(expression.property, expression.operands[0], individual);
         case ClassKind::all_values_from: {
             std::vector<int> literals;
-            for (int other = 0; other < count_; ++other)
+            for (const int other : candidates(expression.property, individual))
                 literals.push_back(clauses.any_of(
                     {-property_atom(expression.property, individual, other), holds(expression.operands[0], other)}));
             return clauses.all_of(literals);

@@ -83,6 +83,8 @@ public:
     // closed_atoms.cpp: literals of names
     [[nodiscard]] int class_atom(int klass, int individual);
     [[nodiscard]] int property_atom(Property property, int subject, int object);
+    /// Individuals that `subject` may be related to; ascending.
+    [[nodiscard]] const std::vector<int>& candidates(Property property, int subject) const;
     [[nodiscard]] int data_atom(int property, int individual, std::size_t value);
     [[nodiscard]] int equality(int a, int b) const;
 
@@ -111,6 +113,7 @@ private:
         int other;  ///< object or value
     };
     void make_equalities();
+    void learn_known();
     [[nodiscard]] int& slot(const Atom& atom);
     [[nodiscard]] int atom(const Atom& atom);
     void respect_equalities();
@@ -170,6 +173,15 @@ private:
     int always_ = 0;    ///< the constant
     int selector_ = 0;  ///< of the axiom being grounded
     const owl::Axiom* axiom_ = nullptr;
+
+    /// ClosedWorld::Known of one property.
+    struct KnownProperty {
+        std::vector<char> is_among;                ///< by individual
+        std::vector<std::vector<int>> related[2];  ///< [inverse][individual]
+        std::vector<int> others;                   ///< individuals that are not among them
+    };
+    std::unordered_map<int, KnownProperty> known_;  ///< by property; only looked up
+    std::vector<int> everybody_;
 
     std::vector<std::vector<int>> class_atoms_;                  ///< by class, individual
     std::vector<std::vector<std::vector<int>>> property_atoms_;  ///< by property, subject, object

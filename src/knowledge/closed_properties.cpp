@@ -32,9 +32,16 @@ void Grounder::ground_object_property(const Axiom& axiom) {
         return;
     }
     if (axiom.kind == AxiomKind::disjoint_object_properties) make_set(p, 0);
-    expect_clauses(static_cast<double>(count_) * count_ * static_cast<double>(p.size()));
     for (int a = 0; a < count_; ++a) {
-        for (int b = 0; b < count_; ++b) {
+        std::vector<int> partners{a};  // others are related by none of them
+        for (const Property& property : p)
+            for (const bool inverse : {false, true}) {
+                const std::vector<int>& some = candidates({property.id, inverse}, a);
+                partners.insert(partners.end(), some.begin(), some.end());
+            }
+        make_set(partners, 0);
+        expect_clauses(static_cast<double>(partners.size() * p.size()));
+        for (const int b : partners) {
             std::vector<int> here;
             for (const Property& property : p) here.push_back(property_atom(property, a, b));
             switch (axiom.kind) {
@@ -92,18 +99,21 @@ void Grounder::ground_chain(std::vector<Property> chain, Property whole) {
             for (int& variable : found->second) variable = clauses.add_variable();
             shared = &found->second;
         }
-        expect_clauses(step);
+        if (known_.empty()) expect_clauses(step);
         for (int a = 0; a < count_; ++a)
-            for (int b = 0; b < count_; ++b)
-                for (int c = 0; c < count_; ++c) {
-                    const auto row = static_cast<std::size_t>(a) * n;
-                    const int first = reached[row + static_cast<std::size_t>(b)],
-                              second = property_atom(chain[i], b, c);
+            for (int b = 0; b < count_; ++b) {
+                const auto row = static_cast<std::size_t>(a) * n;
+                const int first = reached[row + static_cast<std::size_t>(b)];
+                if (first == -always_) continue;
+                expect_clauses(0);
+                for (const int c : candidates(chain[i], b)) {
+                    const int second = property_atom(chain[i], b, c);
                     if (is_last)
                         require({-first, -second, property_atom(whole, a, c)});
                     else
                         clauses.add({-first, -second, (*shared)[row + static_cast<std::size_t>(c)]});
                 }
+            }
         if (!is_last) reached = *shared;
     }
 }

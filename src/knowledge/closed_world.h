@@ -19,6 +19,15 @@ struct ClosedWorld {
     /// Pairwise different, whether the ontology names them or not. Any other two names may mean the same individual, as
     /// in OWL, unless an axiom says or implies otherwise.
     std::vector<Iri> individuals;
+
+    /// An object property of which everything is known: who of `among` is its subject or object can be so in a
+    /// `possible` pair only. (That a pair is related is for an assertion to say.)
+    struct Known {
+        Iri property;
+        std::vector<Iri> among;  ///< some of `individuals`
+        std::vector<std::pair<Iri, Iri>> possible;
+    };
+    std::vector<Known> known = {};
 };
 
 /// Every individual that the ontology names, sorted: as ClosedWorld::individuals it is the unique name assumption.
@@ -111,7 +120,8 @@ private:
 };
 
 /// The same knowledge base as plain OWL 2, for any reasoner: the ontology with declarations of the individuals added,
-/// closed by "owl:Thing EquivalentTo {all individuals}" and DifferentIndividuals of ClosedWorld::individuals. Facets of
+/// closed by "owl:Thing EquivalentTo {all individuals}", DifferentIndividuals of ClosedWorld::individuals, and
+/// "p only {…}" for properties of which everything is known. Facets of
 /// xsd:double and xsd:float become literals of that datatype; anonymous individuals get names. Throws UsageError when
 /// there is no individual.
 [[nodiscard]] owl::Ontology closed_ontology(const ClosedWorld& world);

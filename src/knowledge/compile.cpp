@@ -3,6 +3,7 @@
 #include "base/errors.h"
 #include "knowledge/assembly.h"
 #include "knowledge/causes.h"
+#include "knowledge/mesh_world.h"
 
 // The road from an ontology to its configuration spaces: levels and formulas (theory.cpp), the space of one region
 // (region_space.cpp), what composite parts there are and what objects count (assembly.cpp); then what the expert should
@@ -94,7 +95,7 @@ void finish_space(const Theory& theory, const Scope& scope, Subject subject, con
     if (has_primitives && space.diagram) proved = provable_regions(theory, scope);
     for (std::size_t id = 0; id < theory.concepts.size(); ++id) {
         const NamedConcept& named = theory.concepts[id];
-        if (!subject.has(named)) continue;
+        if (!subject.has(named) || named.open) continue;
         const ConfigurationSet& where = layer.concepts[id];
         bool provable = where.is_empty() ? named.definition >= 0 : true;
         if (has_primitives && provable && space.diagram)
@@ -255,6 +256,7 @@ Domain compile(owl::Ontology ontology, const CompileOptions& options) {
     finish_composites(*grounding, domain);
     domain.ranges = theory.ranges;
     domain.numbers = theory.numbers;
+    domain.typical_heights = find_typical_heights(ontology);
     domain.warnings = theory.warnings;
     domain.relations = theory.relations;
     domain.relational = theory.relational;
@@ -277,6 +279,7 @@ Domain compile(owl::Ontology ontology, const CompileOptions& options) {
     lint_composites(theory, domain);
     domain.ontology = std::move(ontology);
     domain.grounding = std::move(grounding);
+    if (needs_mesh_world(domain, {1, true, {}, {}})) MeshReasoner(domain, {1, true, {}, {}});  // refused now, not later
     return domain;
 }
 

@@ -155,7 +155,10 @@ void compile_regions(const Theory& theory, const Scope& scope, const DiagramOpti
     layer.concepts.resize(theory.concepts.size());
     for (std::size_t id = 0; id < theory.concepts.size(); ++id) {
         if (concepts[id] != 0) layer.concepts[id] = set(concepts[id]);
-        if (region.is_primitive(id)) space.holds.push_back({set(concepts[id]), set(-concepts[id])});
+    }
+    while (space.holds.size() < space.variables.size()) {
+        const int literal = concepts[static_cast<std::size_t>(theory.find(space.variables[space.holds.size()].iri))];
+        space.holds.push_back({set(literal), set(-literal)});
     }
     space.up_to.resize(space.holds.size());
     layer.literals = region.open.literals;
@@ -180,10 +183,13 @@ std::vector<char> provable_regions(const Theory& theory, const Scope& scope) {
             for (const std::vector<int>& values : region.features)
                 for (const int value : values)
                     if (solver.value(std::abs(value)) == (value > 0)) counterexample.push_back(value);
+            for (std::size_t other = 0; other < theory.concepts.size(); ++other)
+                if (const int value = region.open.primitives[other]; value != 0 && theory.concepts[other].open)
+                    counterexample.push_back(solver.value(value) ? value : -value);
             if (solver.solve(counterexample) == Verdict::unsatisfiable) return true;
             RegionClauses::Reading reading{region.open.primitives, std::vector<int>(theory.formulas.size(), 0)};
-            for (int& primitive : reading.primitives)
-                if (primitive != 0)
+            for (std::size_t other = 0; other < theory.concepts.size(); ++other)
+                if (int& primitive = reading.primitives[other]; primitive != 0 && !theory.concepts[other].open)
                     primitive = solver.value(primitive) ? region.clauses.always() : region.clauses.never();
             const int fine = region.constraints(reading), holds = region.concept_literal(reading, id);
             region.clauses.add({-guard, -fine, holds});

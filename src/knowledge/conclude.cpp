@@ -1,14 +1,17 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "base/errors.h"
 #include "knowledge/assembly.h"
+#include "knowledge/mesh_world.h"
 
 // Answers cut the set of each region; the sets of the regions cut what the object can be. The second step is exact and
 // cheap: the parts of an object only matter by their types, so each region adds one of the types that it may still have
 // to the vectors of counts reached so far (object_space.cpp). Regions whose type is known come first and keep that set
 // at one vector. Only these vectors become configurations: what the object can be is a small space of its own for each
 // mesh. Where the ontology has composite parts, regions are put together first (put_together.cpp); while more
-// regions may turn up, or there are too many ways, composite parts stay open.
+// regions may turn up, or there are too many ways, composite parts stay open. Where the ontology says more than these
+// spaces do, the closed world of the mesh narrows both steps once all regions are known (mesh_world.h).
 
 namespace partonomy::knowledge {
 namespace {
@@ -23,12 +26,25 @@ std::shared_ptr<const Space> objects_with(const Grounding& grounding, std::vecto
     space->possible = possible ? objects.of(*possible) : space->all();
     for (std::size_t id = 0; id < theory.concepts.size(); ++id) {
         const NamedConcept& named = theory.concepts[id];
-        if (named.level != Level::object) continue;
+        if (named.level != Level::object || named.open) continue;
         ConfigurationSet& where = objects.layer.concepts[id];
         if (named.incompatible) space->possible -= where;
         space->concepts.push_back({named.iri, std::move(where), named.incompatible, named.definition >= 0, false});
     }
     return space;
+}
+
+/// Null where configuration spaces say all, where a region contradicts itself, and where the mesh is too large.
+std::unique_ptr<MeshReasoner> reasoner_for(const Domain& domain, const Knowledge& knowledge,
+                                           const std::vector<ConfigurationSet>& regions) {
+    if (!needs_mesh_world(domain, knowledge) ||
+        std::ranges::any_of(regions, [](const ConfigurationSet& region) { return region.is_empty(); }))
+        return nullptr;
+    try {
+        return std::make_unique<MeshReasoner>(domain, knowledge);
+    } catch (const OntologyError&) {  // too many clauses: what else cannot be grounded, compile() has refused
+        return nullptr;
+    }
 }
 
 }  // namespace
@@ -57,6 +73,9 @@ Conclusions conclude_object(const Domain& domain, const Knowledge& knowledge, st
     if (!domain.grounding) throw std::invalid_argument("conclude_object: the domain was not compiled");
     Conclusions conclusions;
     conclusions.regions = std::move(regions);
+    bool is_contradicted = false;
+    const std::unique_ptr<MeshReasoner> reasoner = reasoner_for(domain, knowledge, conclusions.regions);
+    if (reasoner) is_contradicted = !reasoner->narrow(conclusions.regions);
     const Grounding& grounding = *domain.grounding;
     const Parts& parts = grounding.assembly.parts;
     if (grounding.assembly.has_composites()) {
@@ -88,6 +107,8 @@ Conclusions conclude_object(const Domain& domain, const Knowledge& knowledge, st
         conclusions.objects = objects_with(grounding, counts_within(conclusions.regions, grounding.regions), possible);
         conclusions.object = conclusions.objects->all();
     }
+    if (reasoner && !is_contradicted) is_contradicted = !reasoner->narrow(conclusions.regions, *conclusions.objects, conclusions.object);
+    if (is_contradicted) conclusions.object = conclusions.objects->none();
 
     conclusions.contradiction = conclusions.object.is_empty();
     for (const ConfigurationSet& region : conclusions.regions) {

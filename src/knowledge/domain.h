@@ -86,6 +86,7 @@ enum class VariableKind {
     range,      ///< one value of a range concept
     number,     ///< one interval of a measured property
     relation,   ///< a relation to other regions, that holds or not (yes is value 0)
+    open,       ///< a restriction that no question is about, such as "inverse hasPart some Chair": yes or no
     primitive,  ///< a named concept without sufficient conditions: holds or not, no question can tell
     parts,      ///< of an object or a composite part: has it at least `threshold` parts of a class
 };
@@ -93,14 +94,14 @@ enum class VariableKind {
 /// A feature of a region or of an object with its finitely many values; exactly one holds.
 struct Variable {
     VariableKind kind;
-    Iri iri;  ///< of the range concept, data property or concept; empty for `parts`
+    Iri iri;  ///< of the range concept, data property or concept; empty for `parts` and `relation`
     std::vector<std::string>
         values;                    ///< local names or words: "Board", "other", "<= 0.55", "yes"/"no" (yes is value 0)
     int index = -1;                ///< into Domain::ranges, Domain::numbers or Domain::relational, for those kinds
-    owl::ClassPointer part_class;  ///< for `parts`; for `relation` the whole expression
+    owl::ClassPointer part_class;  ///< for `parts`; for `relation` and `open` the whole expression
     unsigned threshold = 0;        ///< for `parts`
     bool of_composites = false;    ///< for `parts`: the class is one of composite parts
-    bool answerable = true;        ///< false for `primitive`, and for what has no measure
+    bool answerable = true;        ///< false for `open`, `primitive`, and for what has no measure
 };
 
 /// A named concept of a layer and the configurations in which it holds.
@@ -144,6 +145,12 @@ struct CompositeSpace {
 /// The axioms in the form in which they are evaluated; for compile, conclude and explain only (assembly.h).
 struct Grounding;
 
+/// How high objects of a class are, in metres (core:typicalHeight).
+struct TypicalHeight {
+    Iri iri;
+    Criterion height;  ///< its measure is no word of the catalogue
+};
+
 /// What an ontology means for one domain: elementary concepts, and a space for each layer.
 struct Domain {
     owl::Ontology ontology;
@@ -176,6 +183,7 @@ struct Domain {
     [[nodiscard]] std::vector<std::pair<Iri, Iri>> hierarchy() const;
     /// Named concepts that no configuration satisfies.
     [[nodiscard]] std::vector<Iri> unsatisfiable() const;
+    std::vector<TypicalHeight> typical_heights;  ///< by IRI
     std::vector<std::string> warnings;  ///< what a user should know of regions and composite parts: no algorithm …
     /// The same of objects; lists them.
     [[nodiscard]] std::vector<std::string> object_warnings() const;

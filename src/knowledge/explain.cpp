@@ -7,6 +7,7 @@
 
 #include "knowledge/assembly.h"
 #include "knowledge/correction_search.h"
+#include "knowledge/mesh_world.h"
 #include "knowledge/object_clauses.h"
 #include "knowledge/object_test.h"
 #include "knowledge/reasons.h"
@@ -220,6 +221,8 @@ std::vector<char> defining_axioms(const Theory& theory, int goal, std::size_t ax
 }
 
 Explanation explain(const Domain& domain, const Knowledge& knowledge, const Iri& concept_iri, int region_asked) {
+    if (needs_mesh_world(domain, knowledge))
+        return MeshReasoner(domain, knowledge).explain(concept_iri, region_asked);
     if (prefers_solver(domain)) return one_reason(domain, knowledge, concept_iri, region_asked);
     const Conclusions conclusions = conclude(domain, knowledge);
     const Theory& theory = domain.grounding->theory;
@@ -317,6 +320,8 @@ std::vector<int> culprits(const Domain& domain, const Knowledge& knowledge, cons
 
 Explanations all_explanations(const Domain& domain, const Knowledge& knowledge, const Iri& concept_iri, int region,
                               const ExplanationOptions& options) {
+    if (needs_mesh_world(domain, knowledge))
+        return MeshReasoner(domain, knowledge).explain_all(concept_iri, region, options);
     if (can_express(domain.grounding->theory)) return all_reasons(domain, knowledge, concept_iri, region, options);
     return {{explain(domain, knowledge, concept_iri, region)}, false};
 }
@@ -326,6 +331,8 @@ std::vector<Correction> corrections(const Domain& domain, const Knowledge& knowl
     if (costs.size() != knowledge.answers.size()) throw std::invalid_argument("corrections: one cost for each answer");
     if (std::ranges::any_of(costs, [](double cost) { return !(cost >= 0); }))
         throw std::invalid_argument("corrections: a cost should not be negative");
+    if (needs_mesh_world(domain, knowledge))
+        return MeshReasoner(domain, knowledge).correct(concept_iri, costs, region, options);
     if (prefers_solver(domain)) return cheapest_changes(domain, knowledge, concept_iri, costs, region, options);
     CorrectionSearch search(domain, knowledge, concept_iri, costs, region);
     std::vector<Correction> found = search.run(options.limit);

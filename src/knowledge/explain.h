@@ -48,7 +48,7 @@ struct Conclusions {
 [[nodiscard]] Conclusions conclude(const Domain& domain, const Knowledge& knowledge);
 
 /// The second half of conclude(): what follows when `regions` are what is possible for each of the regions; the answers
-/// play no role.
+/// play no role beyond what the closed world of the mesh says of them.
 [[nodiscard]] Conclusions conclude_object(const Domain& domain, const Knowledge& knowledge,
                                           std::vector<ConfigurationSet> regions);
 

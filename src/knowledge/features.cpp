@@ -160,7 +160,9 @@ bool is_functional(const owl::Ontology& ontology, const Iri& property) {
 /// A place on the number line between two numbers that touch: just below x, or just above it.
 using Cut = std::pair<double, bool>;
 
-void collect_cuts(const owl::ClassExpression& expression, const Axiom& axiom, std::map<Iri, std::set<Cut>>& cuts) {
+/// Skips what `leaves_out` says of a property and the axiom.
+void collect_cuts(const owl::ClassExpression& expression, const Axiom& axiom, std::map<Iri, std::set<Cut>>& cuts,
+                  const auto& leaves_out) {
     switch (expression.kind) {
         case ClassKind::data_some_values_from:
         case ClassKind::data_all_values_from:
@@ -168,19 +170,65 @@ void collect_cuts(const owl::ClassExpression& expression, const Axiom& axiom, st
         case ClassKind::data_min_cardinality:
         case ClassKind::data_max_cardinality:
         case ClassKind::data_exact_cardinality:
+            if (leaves_out(expression, axiom)) break;
             for (const MeasuredProperty::Interval& part : number_range(expression.range, axiom)) {
                 if (part.low != -infinity) cuts[expression.property.iri].insert({part.low, !part.low_closed});
                 if (part.high != infinity) cuts[expression.property.iri].insert({part.high, part.high_closed});
             }
             break;
         default:
-            for (const owl::ClassPointer& operand : expression.operands) collect_cuts(*operand, axiom, cuts);
+            for (const owl::ClassPointer& operand : expression.operands)
+                collect_cuts(*operand, axiom, cuts, leaves_out);
     }
 }
 
 bool is_number_type(const Iri& datatype) {
     static const std::set<std::string> names{"double", "float", "decimal", "real", "rational", "Literal"};
     return datatype.empty() || names.contains(owl::local_name(datatype));
+}
+
+using Intervals = std::vector<MeasuredProperty::Interval>;
+
+constexpr MeasuredProperty::Interval whole_line{-infinity, infinity, false, false};
+
+bool is_empty(const MeasuredProperty::Interval& part) {
+    return part.low > part.high || (part.low == part.high && !(part.low_closed && part.high_closed));
+}
+
+/// Of ascending, disjoint intervals.
+Intervals complement(const Intervals& parts) {
+    Intervals gaps;
+    MeasuredProperty::Interval gap = whole_line;
+    for (const MeasuredProperty::Interval& part : parts) {
+        gap.high = part.low;
+        gap.high_closed = !part.low_closed && part.low != -infinity;
+        if (part.low != -infinity && !is_empty(gap)) gaps.push_back(gap);
+        gap = {part.high, infinity, !part.high_closed, false};
+    }
+    if (parts.empty() || parts.back().high != infinity) gaps.push_back(gap);
+    return gaps;
+}
+
+Intervals intersection(const Intervals& a, const Intervals& b) {
+    Intervals common;
+    for (const MeasuredProperty::Interval& x : a)
+        for (const MeasuredProperty::Interval& y : b) {
+            MeasuredProperty::Interval part = x;
+            if (y.low > x.low || (y.low == x.low && !y.low_closed)) part.low = y.low, part.low_closed = y.low_closed;
+            if (y.high < x.high || (y.high == x.high && !y.high_closed))
+                part.high = y.high, part.high_closed = y.high_closed;
+            if (!is_empty(part)) common.push_back(part);
+        }
+    return common;
+}
+
+bool is_number_range(const owl::DataRange& range, const Axiom& axiom) {
+    try {
+        (void)number_range(range, axiom);
+        return true;
+    } catch (const OntologyError&) {
+        return false;
+    }
 }
 
 }  // namespace
@@ -196,16 +244,32 @@ std::vector<MeasuredProperty::Interval> number_range(const owl::DataRange& range
         if (!number) refuse(axiom, "\"" + literal.value + "\" is no number", hint);
         return *number == 0 ? 0.0 : *number;  // -0 and 0 are one place
     };
-    std::vector<MeasuredProperty::Interval> parts;
-    if (!range.values.empty()) {
-        std::set<double> points;
-        for (const owl::Literal& literal : range.values) points.insert(parse(literal));
-        for (const double x : points) parts.push_back({x, x, true, true});
-        return parts;
+    switch (range.kind) {
+        case owl::DataRangeKind::one_of: {
+            Intervals parts;
+            std::set<double> points;
+            for (const owl::Literal& literal : range.values) points.insert(parse(literal));
+            for (const double x : points) parts.push_back({x, x, true, true});
+            return parts;
+        }
+        case owl::DataRangeKind::complement_of:
+            return complement(number_range(range.operands[0], axiom));
+        case owl::DataRangeKind::union_of:
+        case owl::DataRangeKind::intersection_of: {  // a or b: not (not a and not b)
+            const bool is_union = range.kind == owl::DataRangeKind::union_of;
+            Intervals common{whole_line};
+            for (const owl::DataRange& operand : range.operands) {
+                const Intervals allowed = number_range(operand, axiom);
+                common = intersection(common, is_union ? complement(allowed) : allowed);
+            }
+            return is_union ? complement(common) : common;
+        }
+        default:
+            break;
     }
     if (!is_number_type(range.datatype))
         refuse(axiom, owl::local_name(range.datatype) + " is no type of measurements", hint);
-    MeasuredProperty::Interval part{-infinity, infinity, false, false};
+    MeasuredProperty::Interval part = whole_line;
     for (const auto& [facet, literal] : range.facets) {
         const double x = parse(literal);
         const std::string name = owl::local_name(facet);
@@ -218,8 +282,7 @@ std::vector<MeasuredProperty::Interval> number_range(const owl::DataRange& range
             refuse(axiom, name + " is no bound of a number", hint);
         }
     }
-    if (part.low < part.high || (part.low == part.high && part.low_closed && part.high_closed)) parts.push_back(part);
-    return parts;
+    return is_empty(part) ? Intervals{} : Intervals{part};
 }
 
 std::vector<RangeConcept> find_ranges(const owl::Ontology& ontology) {
@@ -291,19 +354,45 @@ std::vector<Relation> find_relations(const owl::Ontology& ontology) {
     return relations;
 }
 
-std::vector<MeasuredProperty> find_numbers(const owl::Ontology& ontology) {
+std::vector<TypicalHeight> find_typical_heights(const owl::Ontology& ontology) {
+    std::vector<TypicalHeight> heights;
+    for (const auto& [iri, annotations] : ontology.annotations)
+        for (const owl::Annotation& annotation : annotations)
+            if (annotation.property == core_term("typicalHeight"))
+                heights.push_back({iri, to_criterion(annotation, iri, "height of the object")});
+    return heights;
+}
+
+std::vector<MeasuredProperty> find_numbers(const owl::Ontology& ontology, std::set<Iri>& no_numbers) {
     std::map<Iri, std::set<Cut>> cuts;
+    std::set<Iri> of_others;  // with a domain that is about anything but regions
+    const std::set<Iri> regions = told_below(ontology, core_term("Region"));
+    for (const Axiom& axiom : ontology.axioms)
+        if (axiom.kind == AxiomKind::data_property_domain &&
+            !(is_named(axiom.classes[0]) && regions.contains(axiom.classes[0]->iri)))
+            of_others.insert(axiom.properties[0].iri);
+    const auto leaves_out = [&](const owl::ClassExpression& expression, const Axiom& axiom) {
+        const Iri& property = expression.property.iri;
+        if (no_numbers.contains(property)) return true;
+        if (!text_of(ontology, property, "measure").empty()) return false;
+        if (!of_others.contains(property) && is_functional(ontology, property) &&
+            is_number_range(expression.range, axiom))
+            return false;
+        no_numbers.insert(property);
+        return true;
+    };
     for (const Axiom& axiom : ontology.axioms) {
-        for (const owl::ClassPointer& expression : axiom.classes) collect_cuts(*expression, axiom, cuts);
+        for (const owl::ClassPointer& expression : axiom.classes) collect_cuts(*expression, axiom, cuts, leaves_out);
         if (axiom.kind != AxiomKind::data_property_range || axiom.range.facets.empty()) continue;
         owl::ClassExpression expression;
         expression.kind = ClassKind::data_all_values_from;
         expression.property = axiom.properties[0];
         expression.range = axiom.range;
-        collect_cuts(expression, axiom, cuts);
+        collect_cuts(expression, axiom, cuts, leaves_out);
     }
     std::vector<MeasuredProperty> numbers;
     for (const auto& [property, places] : cuts) {
+        if (no_numbers.contains(property)) continue;
         MeasuredProperty number{property, text_of(ontology, property, "measure"), {}};
         double low = -infinity;
         bool low_closed = false;

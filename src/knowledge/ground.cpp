@@ -42,8 +42,14 @@ bool satisfies(ClassKind kind, std::uint32_t number, unsigned count) {
 
 }  // namespace
 
+bool is_made_of_names(const std::vector<owl::ClassPointer>& expressions) {
+    return std::ranges::all_of(expressions, [](const owl::ClassPointer& expression) {
+        return expression->kind <= ClassKind::complement_of && is_made_of_names(expression->operands);
+    });
+}
+
 Grounder::Grounder(const owl::Ontology& ontology, const std::map<Iri, Level>& levels, Theory& theory)
-    : ontology_(ontology), levels_(levels), theory_(theory) {
+    : ontology_(ontology), levels_(levels), theory_(theory), hierarchy_(ontology) {
     theory_.formulas.resize(2);
     theory_.formulas[0].kind = Kind::truth;
     theory_.formulas[1].kind = Kind::falsity;
@@ -118,6 +124,16 @@ bool Grounder::is_functional(const Iri& property) const {
     });
 }
 
+/// Numbers of a region that are measured; or could be, but for their core:measure.
+bool Grounder::is_question(const ClassExpression& expression, Level level) const {
+    const auto found = ontology_.annotations.find(expression.property.iri);
+    const bool has_measure =
+        found != ontology_.annotations.end() && std::ranges::any_of(found->second, [](const owl::Annotation& each) {
+            return each.property == core_term("measure");
+        });
+    return has_measure || (level == Level::region && !theory_.no_numbers.contains(expression.property.iri));
+}
+
 FormulaId Grounder::ground_name(const Iri& iri, Level level, const Axiom& axiom) {
     const std::string name = owl::local_name(iri);
     if (is_thing(iri)) return 0;
@@ -126,9 +142,12 @@ FormulaId Grounder::ground_name(const Iri& iri, Level level, const Axiom& axiom)
         refuse(axiom, "nothing proves that something is Incompatible but the concepts below it",
                "write SubClassOf: Incompatible beside the EquivalentTo of a named concept");
     const auto found = levels_.find(iri);
-    if (found == levels_.end())
-        refuse(axiom, "no axiom says whether " + name + " is about a region or an object",
-               "put " + name + " below core:Region, core:Object or a range concept");
+    if (found == levels_.end()) {  // a class that stands beside the layers
+        ClassExpression aside;
+        aside.iri = iri;
+        return open_atom(aside, level, axiom);
+    }
+    if (is_within_ && found->second != level) return 1;
     if (found->second == Level::feature) {
         const RangeConcept* range = range_of_value(iri);
         refuse(axiom, name + " is a feature and no region",
@@ -299,17 +318,12 @@ FormulaId Grounder::ground(const owl::ClassPointer& pointer, Level level, const 
             return negate(ground(expression.operands[0], level, axiom));
         case ClassKind::one_of:
         case ClassKind::has_value:
-            refuse(axiom, "it names an individual, and regions have no names before a mesh is cut",
-                   "describe regions by classes: hasShape some Board");
         case ClassKind::has_self:
-            refuse(axiom, "no property leads from a region or an object to itself",
-                   "describe it by its features or parts");
+            return open(expression, level, axiom);
         default:
             break;
     }
-    if (expression.property.inverse)
-        refuse(axiom, "inverse " + property + " does not start at " + kind_of(level),
-               "write isTargetRegion some (UpFrom and inverse isReferenceRegion some Seat)");
+    if (expression.property.inverse) return open(expression, level, axiom);
     if (expression.property.iri == core_term("isTargetRegion") ||
         expression.property.iri == core_term("isReferenceRegion")) {
         if (level != Level::region)
@@ -317,9 +331,9 @@ FormulaId Grounder::ground(const owl::ClassPointer& pointer, Level level, const 
                    "write hasPart some (" + to_manchester(expression) + ")");
         return ground_relation(expression, axiom);
     }
-    if (level_of(expression, {}, theory_.ranges) == Level::unknown)
-        refuse(axiom, property + " is neither hasPart nor a functional property that leads to a range concept",
-               "declare " + property + " functional with a class below core:Feature as its range");
+    if (level_of(expression, {}, theory_.ranges) == Level::unknown) return open(expression, level, axiom);
+    if (expression.kind >= ClassKind::data_some_values_from && !is_question(expression, level))
+        return open(expression, level, axiom);
     const bool of_parts = expression.property.iri == core_term("hasPart");
     if (of_parts && level == Level::region)
         refuse(axiom, "a region has no parts, and what has parts is a composite part of a layer above",
@@ -329,7 +343,9 @@ FormulaId Grounder::ground(const owl::ClassPointer& pointer, Level level, const 
                "write hasPart some (" + to_manchester(expression) + ")");
     if (of_parts) return ground_parts(expression, level, axiom);
     for (std::size_t r = 0; r < theory_.ranges.size(); ++r)
-        if (theory_.ranges[r].property == expression.property.iri) return ground_feature(expression, r, axiom);
+        if (theory_.ranges[r].property == expression.property.iri)
+            return is_made_of_names(expression.operands) ? ground_feature(expression, r, axiom)
+                                                         : open(expression, level, axiom);
     return ground_number(expression, axiom);
 }
 

@@ -8,6 +8,24 @@
 
 namespace partonomy::knowledge {
 
+/// What is told of properties: which are below which.
+class PropertyHierarchy {
+public:
+    explicit PropertyHierarchy(const owl::Ontology& ontology);
+    [[nodiscard]] bool is_empty() const { return above_.empty(); }
+    /// All that are above `property`, each with an axiom that says so.
+    [[nodiscard]] std::map<owl::PropertyExpression, std::size_t> above(const owl::PropertyExpression& property) const;
+
+private:
+    std::map<owl::PropertyExpression, std::vector<std::pair<owl::PropertyExpression, std::size_t>>> above_;
+};
+
+/// Equal for equal expressions only; IRIs in full.
+[[nodiscard]] std::string key_of(const owl::ClassExpression& expression);
+
+/// Whether the expressions are names and what and, or, not make of them.
+[[nodiscard]] bool is_made_of_names(const std::vector<owl::ClassPointer>& expressions);
+
 /// Turns class expressions into formulas of a theory whose ranges, numbers and concept names are already there.
 class Grounder {
 public:
@@ -15,6 +33,8 @@ public:
 
     /// `expression` as a statement about one region, composite part or object. Throws OntologyError naming `axiom`.
     FormulaId ground(const owl::ClassPointer& expression, Level level, const owl::Axiom& axiom);
+    /// The same, but a class that is about something else holds nowhere, instead of being refused.
+    FormulaId ground_within(const owl::ClassPointer& expression, Level level, const owl::Axiom& axiom);
     /// The values of range concept `range` that belong to `expression`, a Boolean combination of classes below
     /// core:Feature. With `strict`, values of other range concepts are refused; otherwise they are none of this one's.
     ConfigurationSet values(const owl::ClassExpression& expression, std::size_t range, const owl::Axiom& axiom,
@@ -43,6 +63,15 @@ private:
                            const owl::Axiom& axiom);
     [[nodiscard]] const RangeConcept* range_of_value(const Iri& value) const;
     [[nodiscard]] bool is_functional(const Iri& property) const;
+    [[nodiscard]] bool is_question(const owl::ClassExpression& expression, Level level) const;
+
+    // open_restrictions.cpp
+    FormulaId open(const owl::ClassExpression& expression, Level level, const owl::Axiom& axiom);
+    FormulaId open_atom(const owl::ClassExpression& expression, Level level, const owl::Axiom& axiom);
+    void link(FormulaId atom, const owl::ClassExpression& expression, Level level, const owl::Axiom& axiom);
+    [[nodiscard]] std::vector<Iri> known_properties() const;
+    std::optional<FormulaId> ground_if_possible(const owl::ClassPointer& expression, Level level,
+                                                const owl::Axiom& axiom);
 
     const owl::Ontology& ontology_;
     const std::map<Iri, Level>& levels_;
@@ -51,6 +80,9 @@ private:
     std::set<Iri> range_names_;
     std::map<std::string, std::size_t> relational_;  ///< by key of the expression: into Theory::relational
     std::vector<Iri> open_;                          ///< classes of values whose definition is being read
+    PropertyHierarchy hierarchy_;
+    std::map<std::pair<Level, std::string>, FormulaId> open_atoms_;  ///< by layer and key
+    bool is_within_ = false;                                         ///< see ground_within
     bool outside_parts_ = true;
     std::vector<std::pair<FormulaId, Level>> mentions_;
 };

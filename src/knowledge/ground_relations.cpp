@@ -22,16 +22,6 @@ owl::ClassPointer make(ClassKind kind, owl::ClassPointer operand) {
     return result;
 }
 
-/// Equal for equal expressions only; IRIs in full.
-std::string key_of(const ClassExpression& expression) {
-    std::string key = std::to_string(static_cast<int>(expression.kind)) + (expression.property.inverse ? "-<" : "<") +
-                      expression.iri + expression.property.iri + ">" + std::to_string(expression.number) + "(";
-    for (const owl::ClassPointer& operand : expression.operands) key += key_of(*operand) + ",";
-    if (!expression.range.values.empty() || !expression.range.datatype.empty() || !expression.range.facets.empty())
-        key += to_manchester(expression);  // numbers
-    return key + ")";
-}
-
 NodeTest negated(NodeTest test) {
     NodeTest result;
     result.kind = NodeTest::Kind::no;
@@ -67,6 +57,15 @@ owl::ClassPointer filler_of(const ClassExpression& expression) {
 }
 
 }  // namespace
+
+std::string key_of(const ClassExpression& expression) {
+    std::string key = std::to_string(static_cast<int>(expression.kind)) + (expression.property.inverse ? "-<" : "<") +
+                      expression.iri + expression.property.iri + ">" + std::to_string(expression.number) + "(";
+    for (const owl::ClassPointer& operand : expression.operands) key += key_of(*operand) + ",";
+    for (const Iri& individual : expression.individuals) key += individual + ",";
+    if (expression.kind >= ClassKind::data_some_values_from) key += to_manchester(expression);  // the values
+    return key + ")";
+}
 
 NodeTest Grounder::ground_linked(const ClassExpression& expression, std::vector<FormulaId>& classes,
                                  const owl::Axiom& axiom) {

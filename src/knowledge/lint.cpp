@@ -17,6 +17,7 @@
 #include "knowledge/assembly.h"
 #include "knowledge/causes.h"
 #include "knowledge/object_clauses.h"
+#include "knowledge/plain.h"
 #include "knowledge/theory.h"
 
 namespace partonomy::knowledge {
@@ -183,6 +184,7 @@ public:
         look_at_features();
         look_at_numbers();
         look_at_relations();
+        look_at_open_restrictions();
         look_at_declarations();
         std::ranges::stable_sort(findings_, {}, [](const Finding& f) {
             return std::tuple(!f.is_wrong, f.kind, std::cref(f.where.file).get(), f.where.line);
@@ -254,7 +256,7 @@ private:
             const NamedConcept& named = theory_.concepts[formula.index];
             if (named.definition >= 0)
                 self(self, named.definition);
-            else if (std::ranges::find(found, named.iri) == found.end())
+            else if (!named.open && std::ranges::find(found, named.iri) == found.end())
                 found.push_back(named.iri);
         };
         visit(visit, from);
@@ -400,6 +402,43 @@ private:
         }
     }
 
+    /// Properties that nothing measures, and of which neither a rule nor another property says whom they relate.
+    void look_at_open_restrictions() {
+        const owl::Ontology plain = plain_ontology(domain_.ontology);
+        std::set<Iri> told{core_term("hasPart"), core_term("isTargetRegion"), core_term("isReferenceRegion")};
+        for (const RangeConcept& range : domain_.ranges) told.insert(range.property);
+        for (const owl::Axiom& axiom : plain.axioms) {
+            if (axiom.kind == owl::AxiomKind::rule)
+                for (const owl::RuleAtom& atom : axiom.rule->head) told.insert(atom.property.iri);
+            if ((axiom.kind == owl::AxiomKind::sub_object_property_of && axiom.properties.size() > 2) ||
+                axiom.kind == owl::AxiomKind::reflexive_object_property)
+                told.insert(axiom.properties.back().iri);
+        }
+        for (std::size_t before = 0; before != told.size();) {
+            before = told.size();
+            for (const owl::Axiom& axiom : plain.axioms)
+                if ((axiom.kind == owl::AxiomKind::sub_object_property_of ||
+                     axiom.kind == owl::AxiomKind::sub_data_property_of) &&
+                    axiom.properties.size() == 2 && told.contains(axiom.properties[0].iri))
+                    told.insert(axiom.properties[1].iri);
+        }
+        std::set<Iri> reported;
+        for (const NamedConcept& named : theory_.concepts) {
+            if (!named.open || named.open->property.iri.empty()) continue;
+            const Iri& property = named.open->property.iri;
+            if (told.contains(property) || !reported.insert(property).second) continue;
+            const std::vector<std::size_t> users = users_of(property);
+            const std::string whom = about(users);
+            const bool is_data = named.open->kind >= owl::ClassKind::data_some_values_from;
+            add(FindingKind::unanswerable, true, {property},
+                users.empty() ? place_of(property) : domain_.ontology.axioms[users.front()].source,
+                "no algorithm tells " + owl::local_name(property) +
+                    (whom.empty() ? "" : ", so what " + whom + " asks of it stays open"),
+                is_data ? "name a measurement of partonomy catalogue, or let another axiom or a rule tell it"
+                        : "let a rule tell it, or declare it functional with a class below core:Feature as its range");
+        }
+    }
+
     void look_at_relations() {
         for (const Variable& variable : domain_.regions.variables)
             if (variable.kind == VariableKind::relation && !variable.answerable)
@@ -410,16 +449,17 @@ private:
     }
 
     void look_at_declarations() {
-        const std::map<Iri, Level> levels = find_levels(domain_.ontology, domain_.ranges);
+        const owl::Ontology plain = plain_ontology(domain_.ontology);
+        const std::map<Iri, Level> levels = find_levels(plain, domain_.ranges);
         for (const owl::Entity& entity : domain_.ontology.entities) {
             const Iri& iri = entity.iri;
             if (is_core(iri) || is_thing(iri) || is_nothing(iri)) continue;
             const std::string name = owl::local_name(iri);
-            if (entity.kind == owl::EntityKind::klass && !levels.contains(iri))
+            if (entity.kind == owl::EntityKind::klass && is_left_aside(theory_, plain, levels, iri))
                 add(FindingKind::left_aside, true, {iri}, entity.source,
                     name + " is neither below core:Region nor below core:Object, so it is left aside",
                     "put it below one of them");
-            else if (entity.kind == owl::EntityKind::klass && levels.at(iri) == Level::region &&
+            else if (entity.kind == owl::EntityKind::klass && levels.contains(iri) && levels.at(iri) == Level::region &&
                      users_of(iri).empty() && is_nameable(iri))
                 add(FindingKind::unused, false, {iri}, place_of(iri), "no object and no other concept asks for " + name,
                     "a part can still be called by this name; leave it out if that is not meant");

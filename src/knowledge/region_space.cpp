@@ -144,19 +144,22 @@ ConfigurationSet evaluate(const Theory& theory, const Layer& layer, FormulaId id
 std::size_t add_primitives(const Theory& theory, const Scope& scope, Subject subject, Layer& layer) {
     std::size_t added = 0;
     layer.primitives.assign(theory.concepts.size(), -1);
-    for (std::size_t id = 0; id < theory.concepts.size(); ++id) {
-        const NamedConcept& named = theory.concepts[id];
-        if (!subject.has(named) || !scope.concepts[id]) continue;
-        if (named.definition >= 0 && scope.axioms[named.axiom]) continue;
-        Variable variable{};
-        variable.kind = VariableKind::primitive;
-        variable.iri = named.iri;
-        variable.values = {"yes", "no"};
-        variable.answerable = false;
-        layer.primitives[id] = static_cast<int>(layer.space.variables.size());
-        layer.space.variables.push_back(std::move(variable));
-        ++added;
-    }
+    for (const VariableKind kind : {VariableKind::open, VariableKind::primitive})
+        for (std::size_t id = 0; id < theory.concepts.size(); ++id) {
+            const NamedConcept& named = theory.concepts[id];
+            if (!subject.has(named) || !scope.concepts[id]) continue;
+            if (named.definition >= 0 && scope.axioms[named.axiom]) continue;
+            if ((named.open != nullptr) != (kind == VariableKind::open)) continue;
+            Variable variable{};
+            variable.kind = kind;
+            variable.iri = named.iri;
+            variable.values = {"yes", "no"};
+            variable.part_class = named.open;
+            variable.answerable = false;
+            layer.primitives[id] = static_cast<int>(layer.space.variables.size());
+            layer.space.variables.push_back(std::move(variable));
+            ++added;
+        }
     return added;
 }
 

@@ -4,6 +4,7 @@
 
 #include "base/errors.h"
 #include "knowledge/groups.h"
+#include "knowledge/plain.h"
 
 // From axioms to definitions and constraints. A named class is defined by its first EquivalentTo with an expression,
 // else by a synonym, else by its DisjointUnion; what is left of these axioms, and every other one, is a constraint: a
@@ -22,11 +23,11 @@ constexpr std::size_t deepest_definition = 500;  ///< definitions that rest on e
 
 class TheoryReader {
 public:
-    explicit TheoryReader(const owl::Ontology& ontology)
-        : ontology_(ontology),
-          theory_(start(ontology)),
-          levels_(find_levels(ontology, theory_.ranges)),
-          grounder_(ontology, levels_, theory_) {
+    explicit TheoryReader(owl::Ontology plain)
+        : ontology_(std::move(plain)),
+          theory_(start(ontology_)),
+          levels_(find_levels(ontology_, theory_.ranges)),
+          grounder_(ontology_, levels_, theory_) {
         for (const auto& [iri, level] : levels_)
             if (level > Level::relation && iri != core_term("Region") && iri != core_term("CompositePart") &&
                 iri != core_term("Object"))
@@ -41,8 +42,7 @@ public:
         spread_incompatible();
         find_groups(theory_, grounder_, mentions_, told_, ontology_);
         for (const owl::Entity& entity : ontology_.entities)
-            if (entity.kind == owl::EntityKind::klass && !levels_.contains(entity.iri) && !is_thing(entity.iri) &&
-                !is_nothing(entity.iri) && entity.iri != core_term("Incompatible"))
+            if (entity.kind == owl::EntityKind::klass && is_left_aside(theory_, ontology_, levels_, entity.iri))
                 theory_.warnings.push_back(owl::local_name(entity.iri) +
                                            " is neither below core:Region nor below core:Object, so it is left aside.");
         return std::move(theory_);
@@ -52,7 +52,7 @@ private:
     static Theory start(const owl::Ontology& ontology) {
         Theory theory;
         theory.ranges = find_ranges(ontology);
-        theory.numbers = find_numbers(ontology);
+        theory.numbers = find_numbers(ontology, theory.no_numbers);
         theory.relations = find_relations(ontology);
         return theory;
     }
@@ -69,10 +69,15 @@ private:
             case AxiomKind::object_property_assertion:
             case AxiomKind::negative_object_property_assertion:
             case AxiomKind::data_property_assertion:
+            case AxiomKind::negative_data_property_assertion:
             case AxiomKind::same_individual:
-            case AxiomKind::different_individuals:
-                refuse(axiom, "it is about an individual, and the individuals come from the mesh",
-                       "describe classes instead");
+            case AxiomKind::has_key:
+            case AxiomKind::rule:
+                theory_.beyond.push_back(index);
+                return;
+            case AxiomKind::different_individuals:  // as all names are
+            case AxiomKind::datatype_definition:    // known to plain_ontology
+                return;
             default:
                 return read_property(index);
         }
@@ -85,74 +90,100 @@ private:
                std::ranges::any_of(theory_.numbers, [&](const auto& n) { return n.iri == property; });
     }
 
+    /// Axioms about properties that say nothing of a mesh's features and parts are left to its closed world.
     void read_property(std::size_t index) {
         const Axiom& axiom = ontology_.axioms[index];
         const Iri& property = axiom.properties[0].iri;
         const bool of_parts = property == core_term("hasPart");
-        const std::size_t known =
-            std::ranges::count_if(axiom.properties, [&](const auto& p) { return is_known(p.iri); });
-        const std::string name = owl::local_name(property);
-        if (known == 0) return;  // says nothing about regions and objects
+        const bool all_known = std::ranges::all_of(axiom.properties, [&](const auto& p) { return is_known(p.iri); });
+        const bool all_same = std::ranges::all_of(axiom.properties, [&](const auto& p) { return p.iri == property; });
+        const bool one_known = is_known(property);
         switch (axiom.kind) {
             case AxiomKind::object_property_domain:
             case AxiomKind::data_property_domain:
-                if (!grounder_.is_true(
-                        grounder_.ground(axiom.classes[0], of_parts ? Level::object : Level::region, axiom)))
-                    refuse(axiom,
-                           "every " + std::string(of_parts ? "object may have parts" : "region has such a feature"),
-                           "give " + name + " the domain " + (of_parts ? "core:Object" : "core:Region"));
-                return;
             case AxiomKind::object_property_range:
-                if (of_parts) {
-                    if (!grounder_.is_true(grounder_.ground(axiom.classes[0], Level::region, axiom)))
-                        refuse(axiom, "any region may be a part", "give hasPart the range core:Region");
-                    return;
-                }
-                for (std::size_t r = 0; r < theory_.ranges.size(); ++r)
-                    if (theory_.ranges[r].property == property &&
-                        grounder_.values(*axiom.classes[0], r, axiom, true).count() != theory_.value_count(r))
-                        refuse(axiom, "it takes values from " + owl::local_name(theory_.ranges[r].iri),
-                               "leave them out of its disjoint union");
+                if (one_known) read_domain_or_range(index);
                 return;
             case AxiomKind::data_property_range: {
+                if (!one_known) return;
                 auto only = std::make_shared<owl::ClassExpression>();
                 only->kind = ClassKind::data_all_values_from;
                 only->property = axiom.properties[0];
                 only->range = axiom.range;
                 return constrain(Level::region, index, grounder_.ground(only, Level::region, axiom));
             }
-            case AxiomKind::functional_data_property:
-            case AxiomKind::irreflexive_object_property:
-            case AxiomKind::asymmetric_object_property:
-            case AxiomKind::disjoint_object_properties:
-            case AxiomKind::disjoint_data_properties:
-                return;
             case AxiomKind::functional_object_property:
-                if (of_parts) refuse(axiom, "objects have several parts", "take it away");
-                return;
-            case AxiomKind::transitive_object_property:
-                if (of_parts) return;  // and so it is read: parts of parts are parts
-                break;
+                if (!of_parts || axiom.properties[0].inverse) return;
+                return constrain(Level::object, index, at_most_one_part(axiom));
             case AxiomKind::inverse_functional_object_property:
                 if (of_parts && std::ranges::any_of(theory_.concepts, [](const NamedConcept& each) {
-                        return each.level == Level::composite;
+                        return each.level == Level::composite && each.iri != core_term("CompositePart");
                     }))
                     refuse(axiom, "a part of a composite part is a part of the object, too", "take it away");
-                if (of_parts) return;  // there is one object
-                break;
+                return;  // there is one object, and each region has values of its own
+            case AxiomKind::equivalent_object_properties:
+            case AxiomKind::equivalent_data_properties:
+                if (all_known && !all_same) break;
+                return;
             case AxiomKind::inverse_object_properties:
-                if (known < 2) return;
-                break;
+                if (all_known && !(all_same && axiom.properties[0].inverse != axiom.properties[1].inverse)) break;
+                return;
             case AxiomKind::sub_object_property_of:
             case AxiomKind::sub_data_property_of:
-                if (!is_known(axiom.properties.back().iri) ||
-                    (axiom.properties.size() == 2 && axiom.properties[0] == axiom.properties[1]))
-                    return;
-                break;
+                if (axiom.properties.size() > 2 && is_known(axiom.properties.back().iri) && !is_transitivity(axiom))
+                    theory_.beyond.push_back(index);
+                if (axiom.properties.size() == 2 && all_known && !all_same) break;
+                return;  // one implies the other (open_restrictions.cpp)
+            case AxiomKind::symmetric_object_property:
+            case AxiomKind::reflexive_object_property:
+                if (one_known) break;
+                return;
+            case AxiomKind::transitive_object_property:
+                if (one_known && !of_parts) break;
+                return;  // parts of parts are parts, and so hasPart is read
             default:
-                break;
+                return;
         }
         refuse(axiom, "features and parts are linked by one property each", "use that property itself");
+    }
+
+    [[nodiscard]] static bool is_transitivity(const Axiom& axiom) {
+        return axiom.properties.size() == 3 &&
+               std::ranges::all_of(axiom.properties, [&](const auto& p) { return p == axiom.properties[0]; });
+    }
+
+    [[nodiscard]] FormulaId at_most_one_part(const Axiom& axiom) {
+        auto one = std::make_shared<owl::ClassExpression>();
+        one->kind = ClassKind::max_cardinality;
+        one->property = axiom.properties[0];
+        one->number = 1;
+        return grounder_.ground(one, Level::object, axiom);
+    }
+
+    /// Every region is a part, and has every feature.
+    void read_domain_or_range(std::size_t index) {
+        const Axiom& axiom = ontology_.axioms[index];
+        const Iri& property = axiom.properties[0].iri;
+        const bool is_domain = axiom.kind != AxiomKind::object_property_range;
+        if (property == core_term("hasPart")) {
+            if (!is_domain)
+                return constrain(Level::region, index, grounder_.ground_within(axiom.classes[0], Level::region, axiom));
+            auto has_parts = std::make_shared<owl::ClassExpression>();
+            has_parts->kind = ClassKind::min_cardinality;
+            has_parts->property = axiom.properties[0];
+            has_parts->number = 1;
+            const FormulaId whole = grounder_.ground_within(axiom.classes[0], Level::object, axiom);
+            if (whole != 0)
+                constrain(Level::object, index, implies(grounder_.ground(has_parts, Level::object, axiom), whole));
+            return;
+        }
+        if (is_domain)
+            return constrain(Level::region, index, grounder_.ground_within(axiom.classes[0], Level::region, axiom));
+        for (std::size_t r = 0; r < theory_.ranges.size(); ++r)
+            if (theory_.ranges[r].property == property &&
+                grounder_.values(*axiom.classes[0], r, axiom, true).count() != theory_.value_count(r))
+                refuse(axiom, "it takes values from " + owl::local_name(theory_.ranges[r].iri),
+                       "leave them out of its disjoint union");
     }
 
     [[nodiscard]] int concept_of(const ClassPointer& expression) const {
@@ -186,7 +217,7 @@ private:
                    "put it below core:Relation, and give it core:criterion");
         }
         if (axiom.kind == AxiomKind::sub_class_of) return read_sub_class(index, level);
-        if (level == Level::unknown) refuse_unknown(axiom);
+        if (level == Level::unknown) return;  // about neither regions nor objects
         if (axiom.kind == AxiomKind::disjoint_union) {
             unions_.push_back(index);
             return read_disjoint(index, 1);
@@ -212,14 +243,6 @@ private:
             } else
                 constrain(level, index, same(grounder_.ground(expression, level, axiom), formula));
         }
-    }
-
-    /// When nothing is known, the expression itself may well be the reason: ground it to hear about that first.
-    [[noreturn]] void refuse_unknown(const Axiom& axiom) {
-        for (const ClassPointer& expression : axiom.classes)
-            if (expression->kind != ClassKind::named) (void)grounder_.ground(expression, Level::region, axiom);
-        refuse(axiom, "no axiom says whether it is about regions or objects",
-               "put its classes below core:Region or core:Object");
     }
 
     void define(int id, FormulaId formula, std::size_t axiom) {
@@ -252,7 +275,7 @@ private:
             theory_.concepts[id].incompatible = true;
             if (rest.empty()) return;
         }
-        if (level == Level::unknown) refuse_unknown(axiom);
+        if (level == Level::unknown) return;
         const FormulaId premise = grounder_.ground(sub, level, axiom);
         std::vector<FormulaId> conclusions;
         for (const ClassPointer& part : rest) conclusions.push_back(grounder_.ground(part, level, axiom));
@@ -270,10 +293,7 @@ private:
                 Level b = level_of(*axiom.classes[j], levels_, theory_.ranges);
                 if (a == Level::whole) a = decided(b == Level::composite ? b : a);
                 if (b == Level::whole) b = decided(a == Level::composite ? a : b);
-                if (a == Level::unknown || b == Level::unknown)
-                    refuse(axiom, "no axiom says whether it is about regions or objects",
-                           "put its classes below core:Region or core:Object");
-                if (a != b) continue;
+                if (a == Level::unknown || a != b) continue;
                 if (a == Level::relation) continue;  // a node is of one relation anyway
                 if (a == Level::feature) {
                     check_values(axiom,
@@ -300,6 +320,7 @@ private:
 
     /// Axioms about features set the structure, which is already read; they must say nothing else.
     void check_features(const Axiom& axiom) {
+        if (!is_made_of_names(axiom.classes)) return;  // it says more than structure
         check_values(axiom, [&](std::size_t r) {
             const ConfigurationSet first = values(axiom, 0, r);
             if (axiom.kind == AxiomKind::sub_class_of) return first.is_subset_of(values(axiom, 1, r));
@@ -439,7 +460,7 @@ private:
         }
     }
 
-    const owl::Ontology& ontology_;
+    const owl::Ontology ontology_;
     Theory theory_;
     std::map<Iri, Level> levels_;
     Grounder grounder_;
@@ -449,6 +470,35 @@ private:
 };
 
 }  // namespace
+
+bool is_left_aside(const Theory& theory, const owl::Ontology& ontology, const std::map<Iri, Level>& levels,
+                   const Iri& iri) {
+    if (levels.contains(iri) || is_thing(iri) || is_nothing(iri) || iri == core_term("Incompatible")) return false;
+    const auto is_it = [&](const ClassPointer& c) { return c->kind == ClassKind::named && c->iri == iri; };
+    const bool is_asked = std::ranges::any_of(
+        theory.concepts, [&](const NamedConcept& named) { return named.open != nullptr && is_it(named.open); });
+    // A name for something else: what an open restriction leads to, what an individual is, and what these are below.
+    const auto is_filler = [&](const auto& self, const ClassPointer& c, bool is_behind) -> bool {
+        if (is_behind && is_it(c)) return true;
+        return std::ranges::any_of(c->operands, [&](const ClassPointer& operand) {
+            return self(self, operand, is_behind || c->kind >= ClassKind::some_values_from);
+        });
+    };
+    bool is_defined = false, is_beside = false;
+    for (const Axiom& axiom : ontology.axioms) {
+        const bool is_member = std::ranges::any_of(axiom.classes, is_it);
+        is_defined |= is_member && axiom.kind == AxiomKind::equivalent_classes;
+        is_beside |=
+            is_member &&
+            (axiom.kind == AxiomKind::object_property_range || axiom.kind == AxiomKind::object_property_domain ||
+             axiom.kind == AxiomKind::data_property_domain || axiom.kind == AxiomKind::class_assertion ||
+             (axiom.kind == AxiomKind::sub_class_of &&
+              level_of_all(axiom.classes, levels, theory.ranges) == Level::unknown));
+        is_beside |=
+            std::ranges::any_of(axiom.classes, [&](const ClassPointer& c) { return is_filler(is_filler, c, false); });
+    }
+    return is_asked ? !is_defined : !is_beside;
+}
 
 Iri core_term(const char* name) { return std::string(owl::core_prefix) + name; }
 bool is_thing(const Iri& iri) { return iri == "http://www.w3.org/2002/07/owl#Thing"; }
@@ -475,6 +525,11 @@ int Theory::find(const Iri& iri) const {
     return found != concepts.end() && found->iri == iri ? static_cast<int>(found - concepts.begin()) : -1;
 }
 
-Theory read_theory(const owl::Ontology& ontology) { return TheoryReader(ontology).run(); }
+bool Theory::needs_world() const {
+    return !beyond.empty() ||
+           std::ranges::any_of(concepts, [](const NamedConcept& named) { return named.open != nullptr; });
+}
+
+Theory read_theory(const owl::Ontology& ontology) { return TheoryReader(plain_ontology(ontology)).run(); }
 
 }  // namespace partonomy::knowledge

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -50,6 +51,9 @@ struct NamedConcept {
     FormulaId definition = -1;  ///< -1: primitive
     std::size_t axiom = 0;      ///< that defines it
     int group = -1;             ///< composite: into Theory::groups; -1: says nothing of what its members consist of
+    /// A restriction that is no question: it holds or not, and the closed world of a mesh may tell (mesh_world.h). Then
+    /// the IRI is "~" and a number, which sorts after all names.
+    owl::ClassPointer open = nullptr;
 };
 
 /// A kind of composite part: concepts that speak of the same groups. A group is a largest connected set of regions that
@@ -78,21 +82,30 @@ struct Theory {
     std::vector<Constraint> constraints;
     std::vector<Group> groups;  ///< each after those that it is made of
     std::vector<std::string> warnings;
+    /// Axioms that say more about a mesh than the formulas here do.
+    std::vector<std::size_t> beyond;
+    std::set<Iri> no_numbers;  ///< data properties of anything else than one measured number
 
     /// Feature variables: the ranges, then the numbers, then the relational ones.
     [[nodiscard]] std::size_t feature_count() const { return ranges.size() + numbers.size() + relational.size(); }
     [[nodiscard]] std::size_t value_count(std::size_t feature) const;
     [[nodiscard]] int find(const Iri& iri) const;  ///< concept, -1 when there is none
+    /// Whether only the closed world of a mesh says all that the ontology says about it.
+    [[nodiscard]] bool needs_world() const;
 };
 
 /// Range concepts in the order of their properties' range axioms, and measured properties by IRI, with their values,
 /// intervals, criteria and costs. Throws OntologyError.
 [[nodiscard]] std::vector<RangeConcept> find_ranges(const owl::Ontology& ontology);
-[[nodiscard]] std::vector<MeasuredProperty> find_numbers(const owl::Ontology& ontology);
+/// Fills `no_numbers` with data properties without core:measure that axioms use in another way.
+[[nodiscard]] std::vector<MeasuredProperty> find_numbers(const owl::Ontology& ontology, std::set<Iri>& no_numbers);
 /// Classes below core:Relation that have no class below them, or criteria; in the order of their names.
 [[nodiscard]] std::vector<Relation> find_relations(const owl::Ontology& ontology);
 /// (sub, super) of all different classes below core:Relation, as told, that one included; sorted.
 [[nodiscard]] std::vector<std::pair<Iri, Iri>> told_relations(const owl::Ontology& ontology);
+
+/// core:typicalHeight of every class that has one, sorted.
+[[nodiscard]] std::vector<TypicalHeight> find_typical_heights(const owl::Ontology& ontology);
 
 /// The part of the number line that a data range allows, as cuts; throws OntologyError for what is no range of numbers.
 /// `ends` is ascending and disjoint.
@@ -108,6 +121,10 @@ struct Theory {
 /// The surest of theirs: the first that is no mere whole.
 [[nodiscard]] Level level_of_all(std::span<const owl::ClassPointer> expressions, const std::map<Iri, Level>& levels,
                                  const std::vector<RangeConcept>& ranges);
+
+/// Whether a class is about neither regions nor objects, and nothing says what else it is for. `ontology` is plain.
+[[nodiscard]] bool is_left_aside(const Theory& theory, const owl::Ontology& ontology,
+                                 const std::map<Iri, Level>& levels, const Iri& iri);
 
 /// The whole ontology as formulas. Throws OntologyError for what cannot be grounded.
 [[nodiscard]] Theory read_theory(const owl::Ontology& ontology);
@@ -152,7 +169,7 @@ struct Subject {
 /// constraints. Returns those.
 ConfigurationSet close_layer(const Theory& theory, const Scope& scope, Subject subject, Layer& layer);
 
-/// Adds a yes/no variable for each primitive concept of the subject; returns how many.
+/// Adds a yes/no variable for each open restriction, then for each primitive concept of the subject; returns how many.
 std::size_t add_primitives(const Theory& theory, const Scope& scope, Subject subject, Layer& layer);
 
 /// The configurations of one region, listed or compiled. Throws OntologyError when a limit of the diagram is reached

@@ -26,6 +26,8 @@ const char* kind_word(VariableKind kind) {
             return "number";
         case VariableKind::relation:
             return "relation";
+        case VariableKind::open:
+            return "open";
         case VariableKind::primitive:
             return "primitive";
         default:

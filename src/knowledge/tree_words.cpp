@@ -62,7 +62,8 @@ std::vector<NodeFeatures> follow(const DecisionTree& tree) {
 }
 
 std::string variable_name(const Variable& variable) {
-    if (variable.kind == VariableKind::relation) return to_manchester(*variable.part_class);
+    if (variable.kind == VariableKind::relation || variable.kind == VariableKind::open)
+        return to_manchester(*variable.part_class);
     return variable.kind == VariableKind::parts ? "at least " + part_words(variable) : owl::local_name(variable.iri);
 }
 
@@ -116,6 +117,7 @@ std::string to_text(const Space& space, Question question, const Domain& domain)
         if (!value.question.empty()) return value.question;
     }
     if (variable.kind == VariableKind::relation) return relation_words(variable, domain);
+    if (variable.kind == VariableKind::open) return "is it so: " + to_manchester(*variable.part_class);
     if (variable.kind == VariableKind::parts) return "has it at least " + part_words(variable);
     const std::string name =
         variable.kind == VariableKind::range ? variable.values[question.value] : owl::local_name(variable.iri);

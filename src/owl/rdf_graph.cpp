@@ -73,6 +73,10 @@ Node Graph::iri(const std::string& value, long line) {
     }
     const auto found = nodes_.find("<" + value);
     if (found != nodes_.end()) return found->second;
+    if (!value.empty() && !((value[0] | 0x20) >= 'a' && (value[0] | 0x20) <= 'z'))
+        throw OntologyError(
+            at(file, line,
+               between("the IRI '", value.substr(0, 40), "' begins with no letter; https: or urn: may be missing")));
     for (const char c : value) {
         const bool is_control = static_cast<unsigned char>(c) <= ' ' || c == 127;
         if (!is_control && std::string_view("<>\"{}|\\^`").find(c) == std::string_view::npos) continue;
@@ -87,7 +91,8 @@ Node Graph::literal(const std::string& value, const std::string& datatype, const
     std::ranges::transform(tag, tag.begin(),
                            [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
     const auto is_part = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; };
-    if (!tag.empty() && (!std::ranges::all_of(tag, is_part) || tag.front() == '-' || tag.back() == '-')) {
+    const bool begins_well = !tag.empty() && tag.front() >= 'a' && tag.front() <= 'z';
+    if (!tag.empty() && (!std::ranges::all_of(tag, is_part) || !begins_well || tag.back() == '-')) {
         throw OntologyError(
             at(file, 0, between("'", language.substr(0, 40), "' is no language, which would be en or fr-CA")));
     }

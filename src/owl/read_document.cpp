@@ -61,14 +61,17 @@ std::size_t first_word(const std::string& text) {
     return i;
 }
 
-/// XML begins with '<' and, unlike an IRI of Turtle, goes on with '?', '!' or a name that a space or line break ends.
+/// XML begins with '<' and, unlike an IRI of Turtle, goes on with '?', '!' or a name that a space or line break ends;
+/// or with a name and '>', and then a tag of that name ends it. An IRI has a ':' or '#', and no end tag.
 bool looks_like_xml(std::string_view text) {
     if (text.size() < 2 || text[0] != '<') return false;
     if (text[1] == '?' || text[1] == '!') return true;
     const std::size_t end = text.find_first_of("<> \t\r\n", 1);
     if (end == std::string_view::npos || end == 1) return false;
-    if (text[end] == '>') return text.substr(1, end - 1).find("//") == std::string_view::npos && text[1] != '#';
-    return text[end] != '<';
+    if (text[end] != '>') return text[end] != '<';
+    const std::string_view name = text.substr(1, end - 1);
+    return name.find_first_of(":#") == std::string_view::npos ||
+           text.find(between("</", std::string(name), ">")) != std::string_view::npos;
 }
 
 bool is_utf16(const std::string& bytes) { return bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"); }
@@ -145,6 +148,11 @@ bool append_utf8(std::string& text, std::uint32_t code_point) {
 }
 
 Graph read_document(const std::string& bytes, const std::string& name) {
+    if (bytes.size() > max_document)
+        throw OntologyError(at(name, 0,
+                               "holds " + std::to_string(bytes.size() >> 20) + " MB; at most " +
+                                   std::to_string(max_document >> 20) +
+                                   " MB are read, so split it into ontologies that import each other"));
     Graph graph;
     graph.file = name;
     const std::size_t slash = name.find_last_of("/\\");

@@ -71,7 +71,7 @@ void TurtleLexer::read_code_point(std::size_t digits) {
         value = value * 16 + static_cast<std::uint32_t>(is_digit(c) ? c - '0' : (c | 0x20) - 'a' + 10);
         ++at_;
     }
-    if (!append_utf8(text, value)) fail(at_line_, "the escape names no character of Unicode");
+    if (value == 0 || !append_utf8(text, value)) fail(at_line_, "the escape names no character of Unicode");
 }
 
 void TurtleLexer::read_iri() {

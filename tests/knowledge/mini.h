@@ -20,7 +20,7 @@ inline owl::Iri iri(const std::string& name) {
     static const std::set<std::string> core{
         "Region",  "Object",   "CompositePart",  "Relation",          "Incompatible",
         "Feature", "hasPart",  "measure",        "membership",        "criterion",
-        "cost",    "question", "isTargetRegion", "isReferenceRegion", "arity"};
+        "cost",    "question", "isTargetRegion", "isReferenceRegion", "arity", "typicalHeight"};
     if (name == "Thing" || name == "Nothing") return "http://www.w3.org/2002/07/owl#" + name;
     return (core.contains(name) ? owl::core_prefix : "urn:test#") + name;
 }

@@ -8,6 +8,7 @@
 #include "base/errors.h"
 #include "base/files.h"
 #include "owl/ontology.h"
+#include "owl/rdf_graph.h"
 #include "owl/refused.h"
 #include "owl/zoo.h"
 
@@ -232,6 +233,11 @@ TEST(BadInput, WhatIsTooDeepIsRefusedNotCrashed) {
         {closed + "</rdf:RDF>", "bad.ttl:2: ", "belongs to no axiom"},
         {labels, "bad.ttl:5", "nested more than 500 deep"},
     });
+}
+
+TEST(BadInput, WhatIsTooLargeIsRefusedUnread) {
+    const std::string said = sentence(head + "# " + std::string(max_document, 'x'));
+    EXPECT_EQ(said, "bad.ttl: holds 48 MB; at most 48 MB are read, so split it into ontologies that import each other");
 }
 
 TEST(BadInput, SharedExpressionsDoNotBlowUp) {

@@ -275,5 +275,15 @@ TEST(Syntax, NTriplesIsTurtle) {
     EXPECT_EQ(wordings(ontology, true), std::vector<std::string>{"6 A SubClassOf: not A"});
 }
 
+/// What begins with an IRI that could be the tag of an XML element.
+TEST(Syntax, NTriplesWithAnyKindOfIri) {
+    for (const std::string iri : {"urn:t", "a:b", "mailto:someone", "#t"}) {
+        const std::string type = " <http://www.w3.org/1999/02/22-rdf-syntax-ns#type> ";
+        const Ontology ontology =
+            parse_ontology("<" + iri + ">" + type + "<http://www.w3.org/2002/07/owl#Class> .", "o.nt");
+        ASSERT_EQ(ontology.entities.size(), 1U) << iri;
+    }
+}
+
 }  // namespace
 }  // namespace partonomy::owl

@@ -1,0 +1,386 @@
+/* From a domain and what is known of a mesh to a closed world (closed_world.h).
+
+   Everything that a mesh is made of gets a name. Parts and features are known: who is a part of whom, and which value
+   node is whose, is told pair by pair, and that there are no other pairs. What class a value belongs to is what answers
+   tell, "part1 is in (hasShape some Board)"; before, it is open. Nothing else is closed: of each property that nothing
+   measures we only know what the ontology says. Since a closed world has no others than those named, some nameless
+   "things" are added that such properties may lead to, one for each restriction that wants one (16 at most): else
+   "designedBy some Designer" would make a chair impossible, where nobody has named a designer.
+
+   Numbers are doubles here, whatever datatype the axioms wrote (spaces compare them as numbers); a range concept that
+   is not covered has disjoint values. A name stands for one thing, unless SameIndividual says otherwise. */
+
+#include "knowledge/mesh_world.h"
+
+#include <algorithm>
+#include <charconv>
+#include <set>
+
+#include "knowledge/assembly.h"
+#include "knowledge/ground.h"
+#include "knowledge/plain.h"
+#include "owl/words.h"
+
+namespace partonomy::knowledge {
+namespace {
+
+using owl::Axiom;
+using owl::AxiomKind;
+using owl::ClassExpression;
+using owl::ClassKind;
+using owl::ClassPointer;
+
+constexpr std::size_t most_things = 16;
+
+ClassPointer named(const Iri& iri) {
+    auto expression = std::make_shared<ClassExpression>();
+    expression->iri = iri;
+    return expression;
+}
+
+ClassPointer complement(const ClassPointer& operand) {
+    auto expression = std::make_shared<ClassExpression>();
+    expression->kind = ClassKind::complement_of;
+    expression->operands = {operand};
+    return expression;
+}
+
+ClassPointer combined(ClassKind kind, std::vector<ClassPointer> operands) {
+    if (operands.size() == 1) return operands[0];
+    auto expression = std::make_shared<ClassExpression>();
+    expression->kind = kind;
+    expression->operands = std::move(operands);
+    return expression;
+}
+
+ClassPointer some(const Iri& property, const ClassPointer& filler) {
+    auto expression = std::make_shared<ClassExpression>();
+    expression->kind = ClassKind::some_values_from;
+    expression->property.iri = property;
+    expression->operands = {filler};
+    return expression;
+}
+
+std::string number_text(double x) {
+    char buffer[32];
+    return {buffer, std::to_chars(buffer, buffer + sizeof buffer, x).ptr};
+}
+
+bool is_data(ClassKind kind) { return kind >= ClassKind::data_some_values_from; }
+
+/// "isTargetRegion some …" as the class of those of which it was answered yes: local name "relation1" ….
+Iri relation_class(std::size_t index) { return mesh_prefix + std::string("relation") + std::to_string(index + 1); }
+
+/// The object and its parts, where the ontology names other things, too.
+Iri mesh_class() { return mesh_prefix + std::string("Mesh"); }
+
+/// Axioms in the words of a mesh's world.
+class Rewriter {
+public:
+    Rewriter(const Domain& domain, const owl::Ontology& plain)
+        : ranges_(domain.ranges), levels_(find_levels(plain, domain.ranges)) {
+        for (const Iri& iri : individuals_of(plain)) has_strangers_ |= !levels_.contains(iri);
+        for (const MeasuredProperty& number : domain.numbers) numbers_.insert(number.iri);
+        for (std::size_t i = 0; i < domain.relational.size(); ++i)
+            relational_.emplace(key_of(*domain.relational[i].as_written), i);
+    }
+
+    [[nodiscard]] ClassPointer operator()(const ClassPointer& expression) const {
+        if (const auto counted = as_relation(*expression)) return *counted;
+        auto result = std::make_shared<ClassExpression>(*expression);
+        for (ClassPointer& operand : result->operands) operand = (*this)(operand);
+        if (is_data(result->kind) && numbers_.contains(result->property.iri)) result->range = doubles(result->range);
+        return result;
+    }
+
+    [[nodiscard]] Axiom operator()(Axiom axiom) const {
+        const Level level = level_of_all(axiom.classes, levels_, ranges_);
+        const bool is_implication = axiom.kind == AxiomKind::sub_class_of;
+        for (ClassPointer& expression : axiom.classes) {
+            const bool is_conclusion = is_implication && &expression != &axiom.classes[0];
+            expression = (*this)(expression);
+            if (axiom.kind <= AxiomKind::disjoint_union && !is_conclusion) expression = within(level, expression);
+        }
+        if (axiom.kind == AxiomKind::data_property_range && numbers_.contains(axiom.properties[0].iri))
+            axiom.range = doubles(axiom.range);
+        return axiom;
+    }
+
+private:
+    /// An axiom about regions is about nothing else, and so is one about objects: "not (hasShape some Board) SubClassOf
+    /// …" does not mean the object, though that has no shape; and neither means another object that the ontology names,
+    /// of whose parts nothing is known.
+    [[nodiscard]] ClassPointer within(Level level, const ClassPointer& expression) const {
+        if (level <= Level::relation) return expression;
+        if (has_strangers_) return combined(ClassKind::intersection_of, {named(mesh_class()), expression});
+        if (expression->kind == ClassKind::named && !is_thing(expression->iri)) return expression;
+        const char* const top = level == Level::region      ? "Region"
+                                : level == Level::composite ? "CompositePart"
+                                                            : "Object";
+        return combined(ClassKind::intersection_of, {named(core_term(top)), expression});
+    }
+
+    [[nodiscard]] static owl::DataRange doubles(owl::DataRange range) {
+        const Iri xsd_double = std::string(owl::xsd_prefix) + "double";
+        if (range.kind == owl::DataRangeKind::datatype) range.datatype = xsd_double;
+        for (auto& [facet, literal] : range.facets) literal.datatype = xsd_double;
+        for (owl::Literal& value : range.values) value.datatype = xsd_double;
+        for (owl::DataRange& operand : range.operands) operand = doubles(operand);
+        return range;
+    }
+
+    /// A restriction that became features of a region (ground_relations.cpp) in terms of these.
+    [[nodiscard]] std::optional<ClassPointer> as_relation(const ClassExpression& expression) const {
+        if (relational_.empty() || expression.property.inverse || is_data(expression.kind) ||
+            expression.kind < ClassKind::some_values_from ||
+            (expression.property.iri != core_term("isTargetRegion") &&
+             expression.property.iri != core_term("isReferenceRegion")))
+            return std::nullopt;
+        ClassPointer filler = expression.operands.empty() ? named(std::string(owl::owl_prefix) + "Thing")
+                              : expression.kind == ClassKind::all_values_from ? complement(expression.operands[0])
+                                                                              : expression.operands[0];
+        bool is_known = true;
+        const auto at_least = [&](unsigned count) {
+            ClassExpression asked;
+            asked.kind = count == 1 ? ClassKind::some_values_from : ClassKind::min_cardinality;
+            asked.property = expression.property;
+            asked.number = count == 1 ? 0 : count;
+            asked.operands = {filler};
+            const auto found = relational_.find(key_of(asked));
+            if (count == 0) return named(std::string(owl::owl_prefix) + "Thing");
+            is_known &= found != relational_.end();
+            return found == relational_.end() ? filler : named(relation_class(found->second));
+        };
+        ClassPointer result;
+        switch (expression.kind) {
+            case ClassKind::some_values_from:
+                result = at_least(1);
+                break;
+            case ClassKind::all_values_from:
+                result = complement(at_least(1));
+                break;
+            case ClassKind::min_cardinality:
+                result = at_least(expression.number);
+                break;
+            case ClassKind::max_cardinality:
+                result = complement(at_least(expression.number + 1));
+                break;
+            case ClassKind::exact_cardinality:
+                result = combined(ClassKind::intersection_of,
+                                  {at_least(expression.number), complement(at_least(expression.number + 1))});
+                break;
+            default:
+                return std::nullopt;
+        }
+        return is_known ? std::optional(result) : std::nullopt;
+    }
+
+    const std::vector<RangeConcept>& ranges_;
+    std::map<Iri, Level> levels_;
+    bool has_strangers_ = false;
+    std::set<Iri> numbers_;
+    std::map<std::string, std::size_t> relational_;
+};
+
+class Builder {
+public:
+    Builder(const Domain& domain, const Knowledge& knowledge, const std::vector<CompositePart>& composites)
+        : domain_(domain),
+          result_{{plain_ontology(domain.ontology), {}}, {}, {}, {}, {}, 0},
+          rewrite_(domain, result_.world.ontology) {
+        for (Axiom& axiom : axioms()) axiom = rewrite_(std::move(axiom));
+        result_.object = add("object");
+        for (int region = 0; region < knowledge.region_count; ++region)
+            result_.regions.push_back(add("part" + std::to_string(region + 1)));
+        for (std::size_t i = 0; i < composites.size(); ++i)
+            result_.composites.push_back(add("composite" + std::to_string(i + 1)));
+        result_.first_answer = axioms().size();
+        for (const Answer& answer : knowledge.answers) {
+            const ClassPointer said = rewrite_(in_words(answer.question));
+            is_a(result_.regions[static_cast<std::size_t>(answer.region)], answer.yes ? said : complement(said));
+        }
+        declare(mesh_class(), owl::EntityKind::klass);
+        for (const Iri& iri : std::vector(result_.world.individuals)) is_a(iri, named(mesh_class()));
+        tell_parts(composites);
+        for (const RangeConcept& range : domain.ranges) tell_feature(range);
+        for (const MeasuredProperty& number : domain.numbers) {
+            auto any = std::make_shared<ClassExpression>();
+            any->kind = ClassKind::data_some_values_from;
+            any->property.iri = number.iri;
+            any->range.datatype = std::string(owl::xsd_prefix) + "double";
+            for (const Iri& region : result_.regions) is_a(region, any);
+        }
+        for (std::size_t i = 0; i < domain.relational.size(); ++i) declare(relation_class(i), owl::EntityKind::klass);
+        add_things();
+        for (ClosedWorld::Known& known : result_.world.known) known.among = result_.world.individuals;
+        add_names();
+    }
+
+    MeshWorld run() {
+        for (const NamedConcept& each : domain_.grounding->theory.concepts)
+            result_.open.push_back(each.open ? rewrite_(each.open) : nullptr);
+        return std::move(result_);
+    }
+
+private:
+    [[nodiscard]] std::vector<Axiom>& axioms() { return result_.world.ontology.axioms; }
+
+    Iri add(const std::string& name) {
+        Iri iri = mesh_prefix + name;
+        result_.world.individuals.push_back(iri);
+        declare(iri, owl::EntityKind::individual);
+        return iri;
+    }
+
+    void declare(const Iri& iri, owl::EntityKind kind) {
+        std::vector<owl::Entity>& entities = result_.world.ontology.entities;
+        const auto place = std::ranges::lower_bound(entities, iri, {}, &owl::Entity::iri);
+        if (place == entities.end() || place->iri != iri || place->kind != kind)
+            entities.insert(place, {kind, iri, {}});
+    }
+
+    void is_a(const Iri& individual, const ClassPointer& expression) {
+        Axiom axiom{};
+        axiom.kind = AxiomKind::class_assertion;
+        axiom.classes = {expression};
+        axiom.individuals = {individual};
+        axioms().push_back(std::move(axiom));
+    }
+
+    void relate(const Iri& subject, const Iri& property, const Iri& object) {
+        Axiom axiom{};
+        axiom.kind = AxiomKind::object_property_assertion;
+        axiom.properties = {{property, false}};
+        axiom.individuals = {subject, object};
+        axioms().push_back(std::move(axiom));
+        result_.world.known.back().possible.emplace_back(subject, object);
+    }
+
+    /// What "yes" to a question says of a region; see yes_set.
+    [[nodiscard]] ClassPointer in_words(Question question) const {
+        const Variable& variable = domain_.regions.variables[static_cast<std::size_t>(question.variable)];
+        const auto value = static_cast<std::size_t>(question.value);
+        ClassPointer said = variable.part_class;
+        if (variable.kind == VariableKind::range) {
+            const RangeConcept& range = domain_.ranges[static_cast<std::size_t>(variable.index)];
+            if (value < range.values.size()) return some(range.property, named(range.values[value].iri));
+            std::vector<ClassPointer> others;
+            for (const ElementaryConcept& each : range.values) others.push_back(named(each.iri));
+            return complement(some(range.property, combined(ClassKind::union_of, std::move(others))));
+        }
+        if (variable.kind == VariableKind::number) {
+            const MeasuredProperty& number = domain_.numbers[static_cast<std::size_t>(variable.index)];
+            const MeasuredProperty::Interval& interval = number.intervals[value];
+            const std::string xsd = owl::xsd_prefix;
+            auto up_to = std::make_shared<ClassExpression>();
+            up_to->kind = ClassKind::data_some_values_from;
+            up_to->property.iri = number.iri;
+            up_to->range.datatype = xsd + "double";
+            if (value + 1 < number.intervals.size())
+                up_to->range.facets = {{xsd + (interval.high_closed ? "maxInclusive" : "maxExclusive"),
+                                        {number_text(interval.high), xsd + "double", {}}}};
+            return up_to;
+        }
+        if (variable.kind == VariableKind::primitive) said = named(variable.iri);
+        return value == 0 ? said : complement(said);
+    }
+
+    void tell_parts(const std::vector<CompositePart>& composites) {
+        is_a(result_.object, named(core_term("Object")));
+        for (const Iri& region : result_.regions) is_a(region, named(core_term("Region")));
+        for (const Iri& composite : result_.composites) is_a(composite, named(core_term("CompositePart")));
+        const Iri has_part = core_term("hasPart");
+        result_.world.known.push_back({has_part, {}, {}});
+        for (const Iri& region : result_.regions) relate(result_.object, has_part, region);
+        for (std::size_t i = 0; i < composites.size(); ++i) {
+            relate(result_.object, has_part, result_.composites[i]);
+            for (const int region : composites[i].regions)
+                relate(result_.composites[i], has_part, result_.regions[static_cast<std::size_t>(region)]);
+            for (std::size_t inner = 0; inner < i; ++inner)
+                if (composites[inner].group < composites[i].group &&
+                    std::ranges::includes(composites[i].regions, composites[inner].regions))
+                    relate(result_.composites[i], has_part, result_.composites[inner]);
+        }
+    }
+
+    void tell_feature(const RangeConcept& range) {
+        result_.world.known.push_back({range.property, {}, {}});
+        const std::string name = owl::local_name(range.iri);
+        for (const Iri& region : result_.regions) {
+            const Iri value = add(owl::local_name(region) + "." + name);
+            is_a(value, named(range.iri));
+            relate(region, range.property, value);
+        }
+        if (range.values.size() < 2) return;
+        Axiom disjoint{};
+        disjoint.kind = AxiomKind::disjoint_classes;
+        for (const ElementaryConcept& value : range.values) disjoint.classes.push_back(named(value.iri));
+        if (!range.covered || std::ranges::any_of(range.values, [&](const ElementaryConcept& value) {
+                return domain_.ontology.find(value.iri, owl::EntityKind::klass) == nullptr;
+            }))
+            axioms().push_back(std::move(disjoint));
+    }
+
+    /// How many different things properties that are not known may be wanted to lead to.
+    [[nodiscard]] std::size_t things_wanted() const {
+        std::set<Iri> known{std::string(owl::owl_prefix) + "topObjectProperty"};
+        for (const ClosedWorld::Known& each : result_.world.known) known.insert(each.property);
+        std::set<std::string> wanted;
+        const auto look = [&](const auto& self, const ClassPointer& expression) -> void {
+            for (const ClassPointer& operand : expression->operands) self(self, operand);
+            if (expression->kind < ClassKind::some_values_from || is_data(expression->kind) ||
+                expression->kind == ClassKind::has_value || expression->kind == ClassKind::has_self ||
+                known.contains(expression->property.iri))
+                return;
+            for (unsigned i = 0; i < std::clamp<unsigned>(expression->number, 1, most_things); ++i)
+                wanted.insert(key_of(*expression) + std::to_string(i));
+        };
+        for (const Axiom& axiom : result_.world.ontology.axioms)
+            for (const ClassPointer& expression : axiom.classes) look(look, expression);
+        return std::min(wanted.size(), most_things);
+    }
+
+    void add_things() {
+        const std::size_t count = things_wanted();
+        std::vector<ClassPointer> parts_of_a_mesh;
+        for (const char* term : {"Object", "Region", "CompositePart", "Feature"})
+            parts_of_a_mesh.push_back(named(core_term(term)));
+        const ClassPointer part_of_a_mesh = combined(ClassKind::union_of, std::move(parts_of_a_mesh));
+        for (std::size_t i = 0; i < count; ++i) is_a(add("thing" + std::to_string(i + 1)), complement(part_of_a_mesh));
+    }
+
+    /// The ontology's own names, one for each thing that several are told to be.
+    void add_names() {
+        std::map<Iri, Iri> first;
+        const auto find = [&](Iri iri) {
+            for (auto up = first.find(iri); up != first.end(); up = first.find(iri)) iri = up->second;
+            return iri;
+        };
+        for (const Axiom& axiom : axioms())
+            if (axiom.kind == AxiomKind::same_individual)
+                for (std::size_t i = 1; i < axiom.individuals.size(); ++i) {
+                    const Iri a = find(axiom.individuals[i - 1]), b = find(axiom.individuals[i]);
+                    if (a != b) first[std::max(a, b)] = std::min(a, b);
+                }
+        std::set<Iri> own(result_.world.individuals.begin(), result_.world.individuals.end());
+        for (const Iri& iri : individuals_of(result_.world.ontology))
+            if (find(iri) == iri && own.insert(iri).second) result_.world.individuals.push_back(iri);
+    }
+
+    const Domain& domain_;
+    MeshWorld result_;
+    Rewriter rewrite_;
+};
+
+}  // namespace
+
+MeshWorld make_mesh_world(const Domain& domain, const Knowledge& knowledge,
+                          const std::vector<CompositePart>& composites) {
+    return Builder(domain, knowledge, composites).run();
+}
+
+bool needs_mesh_world(const Domain& domain, const Knowledge& knowledge) {
+    return knowledge.complete && domain.grounding->theory.needs_world() && !domain.grounding->assembly.has_composites();
+}
+
+}  // namespace partonomy::knowledge

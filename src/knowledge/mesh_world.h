@@ -1,0 +1,60 @@
+#pragma once
+
+#include <memory>
+
+#include "knowledge/closed_world.h"
+#include "knowledge/explain.h"
+
+namespace partonomy::knowledge {
+
+/// Names in the closed world of a mesh begin with this: …#object, …#part1, …#part1.Shape.
+inline constexpr const char* mesh_prefix = "https://w3id.org/partonomy/mesh#";
+
+/// A mesh as a knowledge base about named things: the object, its regions, a value of each feature for each region,
+/// composite parts, what the answers say of them, and a few things of which nothing is known, so that what hangs on
+/// properties that nothing measures stays open.
+struct MeshWorld {
+    ClosedWorld world;  ///< axioms: those of the domain's ontology (in fewer words, in the same places) come first
+    Iri object;
+    std::vector<Iri> regions, composites;
+    /// By concept of the theory (theory.h): an open restriction in the words of this world, null for names.
+    std::vector<owl::ClassPointer> open;
+    std::size_t first_answer = 0;  ///< Knowledge::answers[i] is the axiom first_answer + i
+};
+
+/// The closed world of a mesh whose regions are all known (design §5). `composites` are those that there are.
+/// Restrictions on relations between regions become classes, of which a region is told to be a member or not.
+[[nodiscard]] MeshWorld make_mesh_world(const Domain& domain, const Knowledge& knowledge,
+                                        const std::vector<CompositePart>& composites = {});
+
+/// Whether conclusions, explanations and corrections need the closed world of the mesh: the ontology says something
+/// that configuration spaces leave open, and all regions are known. Ontologies with composite parts do without: there,
+/// what spaces leave open stays open.
+[[nodiscard]] bool needs_mesh_world(const Domain& domain, const Knowledge& knowledge);
+
+/// Answers what the whole ontology says about one mesh, in which all regions are known.
+class MeshReasoner {
+public:
+    /// The domain must outlive it. Throws OntologyError for what cannot be grounded.
+    MeshReasoner(const Domain& domain, const Knowledge& knowledge);
+    ~MeshReasoner();
+
+    /// Takes away what the closed world rules out of what is possible for the regions; an empty set tells nothing.
+    /// False when the axioms and what is known contradict each other.
+    [[nodiscard]] bool narrow(std::vector<ConfigurationSet>& regions);
+    /// The same for the object, a set of `objects`, when its regions are in these sets.
+    [[nodiscard]] bool narrow(const std::vector<ConfigurationSet>& regions, const Space& objects,
+                              ConfigurationSet& object);
+
+    /// As explain(), all_explanations() and corrections() in explain.h; completeness is always taken as given.
+    [[nodiscard]] Explanation explain(const Iri& concept_iri, int region);
+    [[nodiscard]] Explanations explain_all(const Iri& concept_iri, int region, const ExplanationOptions& options);
+    [[nodiscard]] std::vector<Correction> correct(const Iri& concept_iri, const std::vector<double>& costs, int region,
+                                                  const ExplanationOptions& options);
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace partonomy::knowledge

@@ -1,0 +1,290 @@
+/* What spaces leave open and the closed world of a mesh tells: every construct of OWL 2 in an ontology about meshes. */
+
+#include "knowledge/mesh_world.h"
+
+#include <gtest/gtest.h>
+
+#include "base/errors.h"
+#include "brute.h"
+
+using namespace partonomy;
+using namespace partonomy::knowledge;
+
+namespace {
+
+/// A domain from axioms in functional syntax over core, and a mesh of which features are told.
+class Mesh {
+public:
+    explicit Mesh(const std::string& axioms, int regions = 0) {
+        std::string text =
+            "Prefix(:=<urn:t#>) Prefix(core:=<https://w3id.org/partonomy/core#>) "
+            "Prefix(xsd:=<http://www.w3.org/2001/XMLSchema#>) Prefix(owl:=<http://www.w3.org/2002/07/owl#>) "
+            "Prefix(swrlb:=<http://www.w3.org/2003/11/swrlb#>)\nOntology(<urn:t> "
+            "Import(<https://w3id.org/partonomy/core>)\n";
+        for (const char* name : {"Leg", "Top", "Table", "A", "B", "C", "Wood"})
+            text.append("Declaration(Class(:").append(name).append(")) ");
+        for (const char* name : {"p", "q", "r", "isPartOf", "hasLeg", "hasMaterial"})
+            text.append("Declaration(ObjectProperty(:").append(name).append(")) ");
+        for (const char* name : {"d", "e"}) text.append("Declaration(DataProperty(:").append(name).append(")) ");
+        text +=
+            "Declaration(Datatype(:Low)) "
+            "EquivalentClasses(:Leg ObjectIntersectionOf(core:Region ObjectSomeValuesFrom(core:hasShape core:Stick))) "
+            "EquivalentClasses(:Top ObjectIntersectionOf(core:Region ObjectSomeValuesFrom(core:hasShape core:Board))) "
+            "EquivalentClasses(:Table ObjectIntersectionOf(core:Object ObjectSomeValuesFrom(core:hasPart :Top) "
+            "ObjectSomeValuesFrom(core:hasPart :Leg))) ";
+        domain = compile(owl::parse_ontology(text + axioms + "\n)", "t"));
+        known.region_count = regions;
+        known.complete = true;
+    }
+
+    Mesh& tell(int region, const std::string& feature, const std::string& value, bool yes = true) {
+        for (std::size_t v = 0; v < domain.regions.variables.size(); ++v) {
+            const Variable& variable = domain.regions.variables[v];
+            if (owl::local_name(variable.iri) != feature) continue;
+            for (std::size_t k = 0; k < variable.values.size(); ++k)
+                if (variable.values[k] == value)
+                    known.answers.push_back({region, {static_cast<int>(v), static_cast<int>(k)}, yes});
+        }
+        return *this;
+    }
+
+    /// Classes that follow for a region (for the object: -1), local names, sorted: "Leg Table".
+    [[nodiscard]] std::string classes(int region = -1) const {
+        const Conclusions concluded = conclude(domain, known);
+        if (concluded.contradiction) return "contradiction";
+        const Space& space = region < 0 ? domain.objects : domain.regions;
+        std::string names;
+        for (const ConceptId id : entailed(space, region < 0 ? concluded.object : concluded.regions[region]))
+            names += (names.empty() ? "" : " ") + owl::local_name(space.concepts[id].iri);
+        return names;
+    }
+
+    Domain domain;
+    Knowledge known;
+};
+
+/// A table of one board and two sticks.
+Mesh table(const std::string& axioms) {
+    Mesh mesh(axioms, 3);
+    mesh.tell(0, "Shape", "Board").tell(1, "Shape", "Stick").tell(2, "Shape", "Stick");
+    return mesh;
+}
+
+std::string refusal(const std::string& axioms) {
+    try {
+        const Mesh mesh(axioms);
+    } catch (const OntologyError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+}  // namespace
+
+TEST(MeshWorld, InversesLeadToTheObject) {
+    const std::string a = "EquivalentClasses(:A ObjectIntersectionOf(:Leg ObjectSomeValuesFrom(";
+    for (const std::string& axioms :
+         {a + "ObjectInverseOf(core:hasPart) :Table)))",
+          "InverseObjectProperties(:isPartOf core:hasPart) " + a + ":isPartOf :Table)))",
+          "EquivalentObjectProperties(ObjectInverseOf(:p) core:hasPart) EquivalentObjectProperties(:p :isPartOf) " + a +
+              ":isPartOf :Table)))"}) {
+        EXPECT_EQ(table(axioms).classes(1), "A Leg") << axioms;
+        EXPECT_EQ(table(axioms).classes(0), "Top") << axioms;
+        Mesh bench(axioms, 1);
+        bench.tell(0, "Shape", "Stick");
+        EXPECT_EQ(bench.classes(0), "Leg") << axioms;
+    }
+}
+
+TEST(MeshWorld, SubPropertiesOfPartsAndFeatures) {
+    EXPECT_EQ(table("SubObjectPropertyOf(:hasLeg core:hasPart) ObjectPropertyRange(:hasLeg :Leg) "
+                    "EquivalentClasses(:A ObjectIntersectionOf(core:Object ObjectMinCardinality(1 :hasLeg)))")
+                  .classes(),
+              "Table")
+        << "nothing says which part is a leg of it";
+    EXPECT_EQ(table("SubObjectPropertyOf(:hasLeg core:hasPart) "
+                    "DLSafeRule(Body(ObjectPropertyAtom(core:hasPart Variable(:x) Variable(:y)) ClassAtom(:Leg "
+                    "Variable(:y))) Head(ObjectPropertyAtom(:hasLeg Variable(:x) Variable(:y)))) "
+                    "EquivalentClasses(:A ObjectIntersectionOf(core:Object ObjectExactCardinality(2 :hasLeg :Leg)))")
+                  .classes(),
+              "A Table");
+    EXPECT_EQ(table("EquivalentClasses(:B ObjectIntersectionOf(core:Region ObjectSomeValuesFrom(core:hasFeature "
+                    "core:Board)))")
+                  .classes(0),
+              "B Top");
+    EXPECT_EQ(table("SubObjectPropertyOf(:hasLeg core:hasPart) EquivalentClasses(:A ObjectIntersectionOf(core:Object "
+                    "ObjectMaxCardinality(3 :hasLeg)))")
+                  .classes(),
+              "A Table")
+        << "it has three parts";
+}
+
+TEST(MeshWorld, IndividualsAsValues) {
+    const std::string material =
+        "SubClassOf(:B core:Feature) FunctionalObjectProperty(:hasMaterial) ObjectPropertyRange(:hasMaterial :B) "
+        "EquivalentClasses(:A ObjectIntersectionOf(core:Region ObjectHasValue(:hasMaterial :oak))) "
+        "EquivalentClasses(:C ObjectIntersectionOf(core:Region ObjectSomeValuesFrom(:hasMaterial ObjectOneOf(:oak "
+        ":steel)))) ";
+    for (const std::string values :
+         {"EquivalentClasses(:B ObjectOneOf(:oak :steel :glass))",
+          "ClassAssertion(:B :oak) ClassAssertion(:B :steel) DifferentIndividuals(:oak :steel)"}) {
+        Mesh mesh(material + values, 1);
+        EXPECT_EQ(mesh.classes(0), "");
+        EXPECT_EQ(Mesh(mesh).tell(0, "B", "oak").classes(0), "A C") << values;
+        EXPECT_EQ(Mesh(mesh).tell(0, "B", "steel").classes(0), "C") << values;
+        EXPECT_EQ(mesh.tell(0, "B", "oak", false).tell(0, "B", "steel", false).classes(0), "") << values;
+    }
+}
+
+TEST(MeshWorld, RulesThatAreTreesAreRolledUp) {
+    Mesh mesh = table(
+        "DLSafeRule(Body(ObjectPropertyAtom(core:hasPart Variable(:x) Variable(:y)) ClassAtom(:Leg Variable(:y)) "
+        "DataPropertyAtom(core:height Variable(:y) Variable(:h)) BuiltInAtom(swrlb:lessThan Variable(:h) "
+        "\"0.5\"^^xsd:double)) Head(ClassAtom(:A Variable(:x)))) SubClassOf(:A core:Object)");
+    EXPECT_EQ(mesh.classes(), "Table");
+    EXPECT_FALSE(mesh.domain.grounding == nullptr);
+    EXPECT_EQ(mesh.tell(1, "height", "< 0.5").classes(), "A Table");
+    const Explanation why = explain(mesh.domain, mesh.known, "urn:t#A");
+    EXPECT_EQ(why.answers, (std::vector<std::size_t>{1, 3}));
+}
+
+TEST(MeshWorld, RulesThatAreNoTrees) {
+    const std::string beside =
+        "DLSafeRule(Body(ObjectPropertyAtom(core:hasPart Variable(:x) Variable(:y)) ObjectPropertyAtom(core:hasPart "
+        "Variable(:x) Variable(:z)) ClassAtom(:Leg Variable(:y)) ClassAtom(:Leg Variable(:z)) "
+        "DifferentIndividualsAtom(Variable(:y) Variable(:z))) Head(ClassAtom(:A Variable(:x)) ClassAtom(:B "
+        "Variable(:y)) "
+        "ObjectPropertyAtom(:p Variable(:y) Variable(:z)))) SubClassOf(:A core:Object) SubClassOf(:B core:Region) "
+        "EquivalentClasses(:C ObjectIntersectionOf(core:Region ObjectSomeValuesFrom(:p :Leg)))";
+    EXPECT_EQ(table(beside).classes(), "A Table");
+    EXPECT_EQ(table(beside).classes(1), "B C Leg");
+    EXPECT_EQ(table(beside).classes(0), "Top");
+    EXPECT_NE(
+        refusal("DLSafeRule(Body(ClassAtom(:Leg Variable(:y)) DataPropertyAtom(:d Variable(:y) Variable(:h)) "
+                "BuiltInAtom(swrlb:add Variable(:k) Variable(:h) Variable(:h))) Head(ClassAtom(:B Variable(:y))))")
+            .find("t:3: the axiom"),
+        std::string::npos);
+}
+
+TEST(MeshWorld, ChainsAndCharacteristics) {
+    // Parts of one object are siblings, and each is its own.
+    const std::string siblings =
+        "SubObjectPropertyOf(ObjectPropertyChain(ObjectInverseOf(core:hasPart) core:hasPart) :p) "
+        "EquivalentClasses(:A ObjectIntersectionOf(core:Region ObjectMinCardinality(3 :p core:Region))) "
+        "EquivalentClasses(:B ObjectIntersectionOf(core:Region ObjectHasSelf(:p))) ";
+    EXPECT_EQ(table(siblings).classes(0), "A B Top");
+    EXPECT_EQ(table(siblings + "IrreflexiveObjectProperty(:p)").classes(0), "contradiction");
+    EXPECT_EQ(table("ReflexiveObjectProperty(:q) EquivalentClasses(:A ObjectIntersectionOf(core:Region "
+                    "ObjectHasSelf(:q))) EquivalentClasses(:B ObjectIntersectionOf(core:Region ObjectHasSelf(:r))) "
+                    "IrreflexiveObjectProperty(:r) EquivalentClasses(:C ObjectIntersectionOf(core:Region "
+                    "ObjectComplementOf(ObjectHasSelf(:r))))")
+                  .classes(0),
+              "A C Top");
+    EXPECT_EQ(table("FunctionalObjectProperty(core:hasPart)").classes(), "contradiction");
+    EXPECT_EQ(table("ObjectPropertyDomain(core:hasPart :A) SubClassOf(:A core:Object)").classes(), "A Table");
+    EXPECT_EQ(table("ObjectPropertyRange(core:hasPart :A) SubClassOf(:A core:Region)").classes(1), "A Leg");
+}
+
+TEST(MeshWorld, DataOfAnyKindStaysOpen) {
+    const std::string text =
+        "EquivalentClasses(:A ObjectIntersectionOf(core:Object DataSomeValuesFrom(:d "
+        "DatatypeRestriction(xsd:string xsd:pattern \"[A-Z]+\")))) "
+        "EquivalentClasses(:B ObjectIntersectionOf(core:Object DataAllValuesFrom(:d xsd:string))) "
+        "DataPropertyRange(:d xsd:string) ";
+    EXPECT_EQ(table(text).classes(), "B Table");
+    EXPECT_EQ(table(text + "SubClassOf(:Table DataHasValue(:d \"IKEA\"))").classes(), "A B Table");
+    EXPECT_EQ(table(text + "SubClassOf(:Table DataHasValue(:d \"Ikea\")) FunctionalDataProperty(:d) "
+                           "EquivalentClasses(:C ObjectIntersectionOf(core:Object ObjectComplementOf(:A)))")
+                  .classes(),
+              "B C Table");
+}
+
+TEST(MeshWorld, DatatypesAndUnionsOfRanges) {
+    Mesh mesh = table(
+        "DatatypeDefinition(:Low DataUnionOf(DatatypeRestriction(xsd:double xsd:maxInclusive "
+        "\"0.2\"^^xsd:double) DatatypeRestriction(xsd:double xsd:minInclusive \"0.9\"^^xsd:double))) "
+        "EquivalentClasses(:A ObjectIntersectionOf(core:Region DataSomeValuesFrom(core:height :Low))) "
+        "EquivalentClasses(:B ObjectIntersectionOf(core:Region DataAllValuesFrom(core:height "
+        "DataComplementOf(:Low))))");
+    EXPECT_EQ(Mesh(mesh).tell(0, "height", "<= 0.2").classes(0), "A Top");
+    EXPECT_EQ(Mesh(mesh).tell(0, "height", "<= 0.2", false).tell(0, "height", "> 0.2, < 0.9").classes(0), "B Top");
+    EXPECT_EQ(mesh.tell(0, "height", "> 0.2, < 0.9", false).classes(0), "A Top");
+}
+
+TEST(MeshWorld, NamedIndividualsAndWhatIsSaidOfThem) {
+    const std::string facts =
+        "EquivalentClasses(:A ObjectIntersectionOf(core:Object ObjectHasValue(:p :aalto))) "
+        "EquivalentClasses(:B ObjectIntersectionOf(core:Object ObjectSomeValuesFrom(:p ObjectSomeValuesFrom(:q "
+        "ObjectOneOf(:finland))))) ObjectPropertyAssertion(:q :aalto :finland) ";
+    EXPECT_EQ(table(facts).classes(), "Table");
+    EXPECT_EQ(table(facts + "SubClassOf(:Table ObjectHasValue(:p :aalto))").classes(), "A B Table");
+    EXPECT_EQ(table(facts + "SubClassOf(:Table ObjectHasValue(:p :alvar)) SameIndividual(:alvar :aalto)").classes(),
+              "A B Table");
+    EXPECT_EQ(table(facts + "SubClassOf(:Table ObjectHasValue(:p :alvar)) NegativeObjectPropertyAssertion(:q :alvar "
+                            ":finland) DifferentIndividuals(:alvar :aalto)")
+                  .classes(),
+              "Table");
+    EXPECT_EQ(table("HasKey(core:Region () (:d)) SubClassOf(core:Region DataHasValue(:d \"x\"))").classes(),
+              "contradiction")
+        << "three regions with one key";
+}
+
+TEST(MeshWorld, WhatNobodyNamedMayExist) {
+    EXPECT_EQ(table("SubClassOf(:Table ObjectSomeValuesFrom(:p :A)) SubClassOf(:Table ObjectMinCardinality(2 :q :B)) "
+                    "DisjointClasses(:A :B core:Object core:Region core:Feature) ClassAssertion(:A :one)")
+                  .classes(),
+              "Table");
+}
+
+TEST(MeshWorld, ExplanationsAndCorrections) {
+    Mesh mesh = table(
+        "EquivalentClasses(:A ObjectIntersectionOf(:Leg ObjectSomeValuesFrom(ObjectInverseOf("
+        "core:hasPart) ObjectMinCardinality(2 core:hasPart :Leg)))) SubClassOf(:A core:Incompatible)");
+    ASSERT_EQ(mesh.classes(1), "A Leg");
+    const Explanation why = explain(mesh.domain, mesh.known, "urn:t#A", 1);
+    EXPECT_EQ(why.answers, (std::vector<std::size_t>{1, 2}));
+    EXPECT_EQ(why.axioms.size(), 2U) << "Leg and A";
+    EXPECT_EQ(all_explanations(mesh.domain, mesh.known, "urn:t#A", 1).sets.size(), 1U);
+    const std::vector<Correction> found = corrections(mesh.domain, mesh.known, "urn:t#A", {0.1, 0.4, 0.3}, 1);
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_EQ(found[0].answers, (std::vector<std::size_t>{2}));
+    EXPECT_THROW((void)explain(mesh.domain, mesh.known, "urn:t#A", 0), std::invalid_argument);
+}
+
+/// Where configuration spaces say all, the closed world of the mesh says the same.
+TEST(MeshWorld, AgreesWithTheSpaces) {
+    int checked = 0, contradictions = 0;
+    for (unsigned seed = 5000; seed < 5250; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        std::mt19937 random(seed);
+        const brute::Random ontology(random, seed % 3 == 0);
+        Domain domain;
+        try {
+            domain = compile(ontology.ontology.result);
+        } catch (const OntologyError&) {
+            continue;
+        }
+        Knowledge knowledge = brute::random_knowledge(random, ontology);
+        knowledge.complete = true;
+        EXPECT_FALSE(needs_mesh_world(domain, knowledge));
+        const Conclusions spaces = conclude(domain, knowledge);
+        const MeshWorld mesh = make_mesh_world(domain, knowledge);
+        ClosedReasoner reasoner(mesh.world);
+        ++checked;
+        contradictions += spaces.contradiction ? 1 : 0;
+        ASSERT_EQ(reasoner.is_consistent(), !spaces.contradiction);
+        if (spaces.contradiction) continue;
+        const auto follows = [&](const Iri& individual, const Concept& each) {
+            return std::ranges::binary_search(reasoner.types(individual), each.iri);
+        };
+        for (const Concept& each : domain.objects.concepts)
+            EXPECT_EQ(follows(mesh.object, each), spaces.object.is_subset_of(each.where)) << each.iri;
+        // What the object is may tell what a region is, which spaces do not look at.
+        for (std::size_t r = 0; r < mesh.regions.size(); ++r)
+            for (const Concept& each : domain.regions.concepts)
+                EXPECT_TRUE(!spaces.regions[r].is_subset_of(each.where) || follows(mesh.regions[r], each))
+                    << each.iri << " of part " << r + 1;
+    }
+    EXPECT_GT(checked, 150);
+    EXPECT_GT(contradictions, 10);
+}
