@@ -1,14 +1,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "app/commands.h"
+#include "app/kept_annotation.h"
 #include "base/errors.h"
-#include "base/files.h"
-#include "expert/annotate.h"
 
 namespace partonomy::app {
 namespace {
@@ -21,14 +18,6 @@ struct Arguments {
     bool all = false;
     OntologyArguments ontology;
 };
-
-json load(const std::string& folder) {
-    const std::filesystem::path path = std::filesystem::path(folder) / "annotation.json";
-    const json annotation = json::parse(read_file(path), nullptr, false);
-    if (annotation.is_discarded() || !annotation.is_object())
-        throw UsageError(at(path.string(), 0, "is not an annotation; run partonomy annotate again"));
-    return annotation;
-}
 
 bool mentions(const std::string& text, const std::string& part) {
     for (std::size_t i = text.find(part); i != std::string::npos; i = text.find(part, i + 1))
@@ -62,26 +51,11 @@ void print_list(const char* title, const json& lines) {
     for (const json& line : lines) fmt::print("    {}\n", line.is_string() ? line.get<std::string>() : line.dump());
 }
 
-knowledge::Domain load_same_ontology(OntologyArguments arguments, const json& annotation) {
-    const json& used = annotation.at("ontology");
-    if (arguments.path.empty()) arguments.path = used.at("file").get<std::string>();
-    owl::Ontology ontology = arguments.read();
-    if (ontology.sha256 != used.at("sha256").get<std::string>())
-        throw UsageError(at(arguments.path, 0, "is not the ontology that the mesh was annotated with; annotate again"));
-    return knowledge::compile(std::move(ontology), arguments.compile_options());
-}
-
 /// Every minimal explanation of every diagnosis, from the answers that the annotation keeps.
 void print_all_explanations(const Arguments& arguments, const json& annotation) {
     const knowledge::Domain domain = load_same_ontology(arguments.ontology, annotation);
-    std::vector<LearnedAnswer> answers;
-    for (const json& each : annotation.at("knowledge").at("answers"))
-        answers.push_back({each.at("part").get<int>(), each.at("feature").get<std::string>(),
-                           each.at("value").get<std::string>(), each.at("yes").get<bool>(),
-                           each.at("score").get<double>()});
-    const knowledge::Knowledge knowledge = recall(
-        domain, static_cast<int>(annotation.at("parts").size()), annotation.at("knowledge").at("complete").get<bool>(),
-        answers, annotation.at("knowledge").at("connected").get<std::vector<std::pair<int, int>>>());
+    const std::vector<LearnedAnswer> answers = answers_of(annotation);
+    const knowledge::Knowledge knowledge = knowledge_of(domain, annotation);
     for (const json& diagnosis : annotation.at("diagnosis")) {
         const auto name = diagnosis.at("concept").get<std::string>();
         owl::Iri iri;
@@ -109,7 +83,7 @@ void print_all_explanations(const Arguments& arguments, const json& annotation) 
 }
 
 int run_explain(const Arguments& arguments) {
-    const json annotation = load(arguments.folder);
+    const json annotation = load_annotation(arguments.folder);
     try {
         const json& object = annotation.at("object");
         const auto classes = object.at("classes").get<std::vector<std::string>>();

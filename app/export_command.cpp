@@ -3,13 +3,14 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <utility>
 #include <vector>
 
-#include "app/commands.h"
+#include "app/kept_annotation.h"
 #include "base/errors.h"
 #include "base/files.h"
-#include "knowledge/closed_world.h"
+#include "knowledge/mesh_world.h"
 #include "owl/write.h"
 
 namespace partonomy::app {
@@ -17,7 +18,7 @@ namespace {
 
 struct Arguments {
     OntologyArguments ontology;
-    std::string output, format;
+    std::string output, format, used_ontology;
     bool merge_imports = false, closed = false;
 };
 
@@ -30,10 +31,34 @@ bool is_functional(const Arguments& arguments) {
                                  arguments.output));
 }
 
+/// The mesh that was annotated in this folder as a closed knowledge base: object, parts, feature values, answers.
+owl::Ontology closed_mesh(const Arguments& arguments) {
+    const std::string& folder = arguments.ontology.path;
+    const nlohmann::json annotation = load_annotation(folder);
+    OntologyArguments used = arguments.ontology;
+    used.path = arguments.used_ontology;
+    try {
+        const knowledge::Domain domain = load_same_ontology(used, annotation);
+        if (!domain.composites.empty())
+            throw UsageError(folder +
+                             ": its ontology has composite parts, which a closed world does not say; annotate "
+                             "with the layers of regions and objects only");
+        return knowledge::closed_ontology(knowledge::make_mesh_world(domain, knowledge_of(domain, annotation)).world);
+    } catch (const nlohmann::json::exception& error) {
+        throw UsageError(
+            at(folder + "/annotation.json", 0, std::string("is not a complete annotation: ") + error.what()));
+    }
+}
+
 int run_export(const Arguments& arguments) {
     const bool functional = is_functional(arguments);
-    owl::Ontology ontology = arguments.ontology.read();
-    if (arguments.closed) {
+    const bool of_mesh = std::filesystem::is_directory(arguments.ontology.path);
+    if (of_mesh && !arguments.closed)
+        throw UsageError(arguments.ontology.path +
+                         ": is a folder; --closed writes the closed world of the mesh that was "
+                         "annotated there");
+    owl::Ontology ontology = of_mesh ? closed_mesh(arguments) : arguments.ontology.read();
+    if (arguments.closed && !of_mesh) {
         std::vector<owl::Iri> individuals = knowledge::individuals_of(ontology);
         if (individuals.empty())
             throw UsageError(
@@ -64,7 +89,10 @@ void add_export_command(CLI::App& app, Run& run) {
     command.add_flag("--merge-imports", arguments->merge_imports,
                      "one self-contained file with the axioms of all imports, instead of owl:imports");
     command.add_flag("--closed", arguments->closed,
-                     "add what closes the world: the named individuals are all there are, and pairwise different");
+                     "add what closes the world: the named individuals are all there are, and pairwise different; of "
+                     "the folder of an annotated mesh: its object, parts, answers and what closes them");
+    command.add_option("--ontology,-O", arguments->used_ontology,
+                       "for the folder of a mesh: where the ontology is now that it was annotated with");
     command.callback([arguments, &run] { run = [arguments] { return run_export(*arguments); }; });
 }
 

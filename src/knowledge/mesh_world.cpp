@@ -94,7 +94,7 @@ public:
     }
 
     [[nodiscard]] Axiom operator()(Axiom axiom) const {
-        const Level level = level_of_all(axiom.classes, levels_, ranges_);
+        const Level level = level_of_axiom(axiom);
         const bool is_implication = axiom.kind == AxiomKind::sub_class_of;
         for (ClassPointer& expression : axiom.classes) {
             const bool is_conclusion = is_implication && &expression != &axiom.classes[0];
@@ -104,6 +104,10 @@ public:
         if (axiom.kind == AxiomKind::data_property_range && numbers_.contains(axiom.properties[0].iri))
             axiom.range = doubles(axiom.range);
         return axiom;
+    }
+
+    [[nodiscard]] Level level_of_axiom(const Axiom& axiom) const {
+        return level_of_all(axiom.classes, levels_, ranges_);
     }
 
 private:
@@ -213,6 +217,7 @@ public:
         for (std::size_t i = 0; i < domain.relational.size(); ++i) declare(relation_class(i), owl::EntityKind::klass);
         add_things();
         for (ClosedWorld::Known& known : result_.world.known) known.among = result_.world.individuals;
+        keep_from_values();
         add_names();
     }
 
@@ -308,6 +313,7 @@ private:
         const std::string name = owl::local_name(range.iri);
         for (const Iri& region : result_.regions) {
             const Iri value = add(owl::local_name(region) + "." + name);
+            values_.push_back(value);
             is_a(value, named(range.iri));
             relate(region, range.property, value);
         }
@@ -349,6 +355,38 @@ private:
         for (std::size_t i = 0; i < count; ++i) is_a(add("thing" + std::to_string(i + 1)), complement(part_of_a_mesh));
     }
 
+    /// Nothing leads to a value of a feature, or from it, but what an axiom may lead there: properties above those of
+    /// features, conclusions of chains and rules, what relates everything to itself, and what axioms about features ask
+    /// for.
+    void keep_from_values() {
+        const owl::Ontology& ontology = result_.world.ontology;
+        std::set<Iri> free{std::string(owl::owl_prefix) + "topObjectProperty",
+                           std::string(owl::owl_prefix) + "bottomObjectProperty"};
+        for (const ClosedWorld::Known& known : result_.world.known) free.insert(known.property);
+        for (const Axiom& axiom : axioms()) {
+            if ((axiom.kind == AxiomKind::sub_object_property_of && axiom.properties.size() > 2) ||
+                axiom.kind == AxiomKind::reflexive_object_property)
+                free.insert(axiom.properties.back().iri);
+            if (axiom.kind == AxiomKind::rule)
+                for (const owl::RuleAtom& atom : axiom.rule->head) free.insert(atom.property.iri);
+            const Level level = rewrite_.level_of_axiom(axiom);
+            if (level > Level::relation || (level == Level::unknown && !axiom.properties.empty())) continue;
+            const auto look = [&](const auto& self, const ClassExpression& expression) -> void {
+                free.insert(expression.property.iri);
+                for (const ClassPointer& operand : expression.operands) self(self, *operand);
+            };
+            for (const ClassPointer& expression : axiom.classes) look(look, *expression);
+            for (const owl::PropertyExpression& property : axiom.properties)
+                if (!axiom.classes.empty()) free.insert(property.iri);
+        }
+        const PropertyHierarchy hierarchy(ontology);
+        for (const Iri& property : std::vector(free.begin(), free.end()))
+            for (const auto& [above, axiom] : hierarchy.above({property, false})) free.insert(above.iri);
+        for (const owl::Entity& entity : ontology.entities)
+            if (entity.kind == owl::EntityKind::object_property && !free.contains(entity.iri))
+                result_.world.known.push_back({entity.iri, values_, {}});
+    }
+
     /// The ontology's own names, one for each thing that several are told to be.
     void add_names() {
         std::map<Iri, Iri> first;
@@ -368,6 +406,7 @@ private:
     }
 
     const Domain& domain_;
+    std::vector<Iri> values_;  ///< of features
     MeshWorld result_;
     Rewriter rewrite_;
 };

@@ -67,8 +67,8 @@ private:
     std::vector<std::int64_t> words_;
 };
 
-/// A larger document is refused: what is made of it takes about fifteen times its size in memory.
-inline constexpr std::size_t max_document = std::size_t{48} << 20;
+/// A larger document is refused: what is made of it takes up to 25 times its size in memory.
+inline constexpr std::size_t max_document = std::size_t{32} << 20;
 
 /// Reads an ontology in any of the syntaxes of OWL 2, recognised by content, as triples. `name` is what error sentences
 /// call the document. Never opens another file or the network. Throws OntologyError: syntax, encoding, another format,

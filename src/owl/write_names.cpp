@@ -57,7 +57,7 @@ WriteNames::WriteNames(const Ontology& ontology, const WriteOptions& options) {
         if (space.size() < 2 || prefix_of_.contains(space)) continue;
         const std::string path = space.substr(0, space.size() - 1);
         std::string word = path.substr(path.find_last_of("/#:") + 1);
-        if (!is_plain_name(word)) word = "ns";
+        if (!is_plain_name(word) || word[0] == '_') word = "ns";
         std::string prefix = word + ":";
         for (int i = 2; !taken.insert(prefix).second; ++i) prefix = word + std::to_string(i) + ":";
         add(prefix, space);

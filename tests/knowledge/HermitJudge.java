@@ -16,7 +16,9 @@ import org.semanticweb.owlapi.reasoner.ReasonerInterruptedException;
  * followed by a line "%%%%". Standard output, for each: one line, "inconsistent", "failed: why", or "consistent" and what is
  * entailed of named individuals: C(a), p(a,b), d(a,literal), a=b, each word ending in a space. Run it without compiling:
  *
- *     java -cp HermiT.jar HermitJudge.java < ontologies
+ *     java -cp HermiT.jar HermitJudge.java [beginnings of names] < ontologies
+ *
+ * With arguments, only the classes of individuals whose names begin with one of them and have no dot.
  */
 public class HermitJudge {
     private static String name(OWLEntity entity) {
@@ -33,7 +35,14 @@ public class HermitJudge {
         return !reasoner.isSatisfiable(make.getOWLObjectIntersectionOf(make.getOWLObjectOneOf(a), make.getOWLObjectComplementOf(c)));
     }
 
-    private static String judge(String text) throws Exception {
+    private static boolean isAsked(OWLNamedIndividual a, String[] beginnings) {
+        if (beginnings.length == 0) return true;
+        for (String beginning : beginnings)
+            if (name(a).startsWith(beginning) && name(a).indexOf('.') < 0) return true;
+        return false;
+    }
+
+    private static String judge(String text, String[] beginnings) throws Exception {
         OWLOntologyManager manager = OWLManager.createOWLOntologyManager();
         OWLDataFactory make = manager.getOWLDataFactory();
         OWLOntology ontology = manager.loadOntologyFromOntologyDocument(new StringDocumentSource(text));
@@ -45,9 +54,11 @@ public class HermitJudge {
             Set<String> found = new TreeSet<String>();
             Set<OWLNamedIndividual> everybody = ontology.getIndividualsInSignature();
             for (OWLNamedIndividual a : everybody) {
+                if (!isAsked(a, beginnings)) continue;
                 for (OWLClass c : ontology.getClassesInSignature())
                     if (!c.isOWLThing() && !c.isOWLNothing() && follows(reasoner, make, a, c))
                         found.add(name(c) + "(" + name(a) + ")");
+                if (beginnings.length > 0) continue;
                 for (OWLNamedIndividual b : everybody) {
                     OWLClassExpression isB = make.getOWLObjectOneOf(b);
                     for (OWLObjectProperty p : ontology.getObjectPropertiesInSignature())
@@ -75,7 +86,7 @@ public class HermitJudge {
             }
             String answer;
             try {
-                answer = judge(text.toString());
+                answer = judge(text.toString(), arguments);
             } catch (Throwable problem) {
                 answer = "failed: " + String.valueOf(problem).replace('\n', ' ');
             }

@@ -55,6 +55,23 @@ mini::Ontology faulty() {
 
 }  // namespace
 
+TEST(Lint, WhatStaysOpen) {
+    mini::Ontology ontology = mini::shapes();  // lines 1 to 8
+    ontology.same("Seat", both({name("Region"), some("madeOf", "Wood"), some("hasShape", "Board")}))  // 9
+        .sub("Oak", "Wood")
+        .same("Chair", both({name("Object"), some("hasPart", both({name("Seat"), name("Antique")}))}));
+    for (const char* declared : {"Antique", "Forgotten", "Oak", "Wood"})
+        ontology.result.entities.push_back({owl::EntityKind::klass, mini::iri(declared), {"mini.ttl", 99}});
+    const std::vector<Finding> findings = lint(compile(ontology.result), {});
+    const std::vector<Finding> open = of_kind(findings, FindingKind::unanswerable);
+    ASSERT_EQ(open.size(), 1U);
+    EXPECT_EQ(open[0].where.line, 9);
+    EXPECT_EQ(open[0].what, "no algorithm tells madeOf, so what Seat asks of it stays open");
+    std::vector<std::string> aside;
+    for (const Finding& each : of_kind(findings, FindingKind::left_aside)) aside.push_back(names(each).front());
+    EXPECT_EQ(aside, (std::vector<std::string>{"Antique", "Forgotten"}));
+}
+
 TEST(Lint, NamesFaultsWithPlacesAndCauses) {
     for (const CompileOptions& options : {CompileOptions{}, compiled()}) {
         const Domain domain = compile(faulty().result, options);

@@ -237,7 +237,7 @@ TEST(BadInput, WhatIsTooDeepIsRefusedNotCrashed) {
 
 TEST(BadInput, WhatIsTooLargeIsRefusedUnread) {
     const std::string said = sentence(head + "# " + std::string(max_document, 'x'));
-    EXPECT_EQ(said, "bad.ttl: holds 48 MB; at most 48 MB are read, so split it into ontologies that import each other");
+    EXPECT_EQ(said, "bad.ttl: holds 32 MB; at most 32 MB are read, so split it into ontologies that import each other");
 }
 
 TEST(BadInput, SharedExpressionsDoNotBlowUp) {

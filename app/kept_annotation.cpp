@@ -1,0 +1,45 @@
+#include "app/kept_annotation.h"
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "base/errors.h"
+#include "base/files.h"
+
+namespace partonomy::app {
+
+using nlohmann::json;
+
+json load_annotation(const std::string& folder) {
+    const std::filesystem::path path = std::filesystem::path(folder) / "annotation.json";
+    json annotation = json::parse(read_file(path), nullptr, false);
+    if (annotation.is_discarded() || !annotation.is_object())
+        throw UsageError(at(path.string(), 0, "is not an annotation; run partonomy annotate again"));
+    return annotation;
+}
+
+knowledge::Domain load_same_ontology(OntologyArguments arguments, const json& annotation) {
+    const json& used = annotation.at("ontology");
+    if (arguments.path.empty()) arguments.path = used.at("file").get<std::string>();
+    owl::Ontology ontology = arguments.read();
+    if (ontology.sha256 != used.at("sha256").get<std::string>())
+        throw UsageError(at(arguments.path, 0, "is not the ontology that the mesh was annotated with; annotate again"));
+    return knowledge::compile(std::move(ontology), arguments.compile_options());
+}
+
+std::vector<LearnedAnswer> answers_of(const json& annotation) {
+    std::vector<LearnedAnswer> answers;
+    for (const json& each : annotation.at("knowledge").at("answers"))
+        answers.push_back({each.at("part").get<int>(), each.at("feature").get<std::string>(),
+                           each.at("value").get<std::string>(), each.at("yes").get<bool>(),
+                           each.at("score").get<double>()});
+    return answers;
+}
+
+knowledge::Knowledge knowledge_of(const knowledge::Domain& domain, const json& annotation) {
+    const json& kept = annotation.at("knowledge");
+    return recall(domain, static_cast<int>(annotation.at("parts").size()), kept.at("complete").get<bool>(),
+                  answers_of(annotation), kept.at("connected").get<std::vector<std::pair<int, int>>>());
+}
+
+}  // namespace partonomy::app
