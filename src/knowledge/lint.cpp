@@ -402,6 +402,10 @@ private:
         }
     }
 
+    [[nodiscard]] bool is_number(const Iri& property) const {
+        return std::ranges::find(domain_.numbers, property, &MeasuredProperty::iri) != domain_.numbers.end();
+    }
+
     /// Properties that nothing measures, and of which neither a rule nor another property says whom they relate.
     void look_at_open_restrictions() {
         const owl::Ontology plain = plain_ontology(domain_.ontology);
@@ -426,7 +430,7 @@ private:
         for (const NamedConcept& named : theory_.concepts) {
             if (!named.open || named.open->property.iri.empty()) continue;
             const Iri& property = named.open->property.iri;
-            if (told.contains(property) || !reported.insert(property).second) continue;
+            if (told.contains(property) || is_number(property) || !reported.insert(property).second) continue;
             const std::vector<std::size_t> users = users_of(property);
             const std::string whom = about(users);
             const bool is_data = named.open->kind >= owl::ClassKind::data_some_values_from;

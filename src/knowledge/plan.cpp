@@ -105,7 +105,22 @@ bool Planner::is_decided(const ConfigurationSet& set) const { return is_decided_
 bool Planner::is_decided_packed(const ConfigurationSet& set) const {
     if (space_->diagram) return knowledge::is_decided(*space_, set, options_);
     if (labels_.empty()) return set.count() <= 1;
-    return std::ranges::count_if(labels_, [&](const ConfigurationSet& label) { return label.intersects(set); }) <= 1;
+    const auto is_one_label = [&](const ConfigurationSet& some) {
+        return std::ranges::count_if(labels_, [&](const ConfigurationSet& label) { return label.intersects(some); }) <=
+               1;
+    };
+    // When what nothing can answer tells the label, nothing that is asked will.
+    const auto is_told = [&](const auto& self, const ConfigurationSet& some, std::size_t from) -> bool {
+        if (is_one_label(some)) return true;
+        for (std::size_t v = from; v < space_->variables.size(); ++v) {
+            if (space_->variables[v].kind != VariableKind::open || some.is_subset_of(space_->holds[v][0]) ||
+                !some.intersects(space_->holds[v][0]))
+                continue;
+            return self(self, some & space_->holds[v][0], v + 1) && self(self, some - space_->holds[v][0], v + 1);
+        }
+        return false;
+    };
+    return is_told(is_told, set, 0);
 }
 
 std::optional<Question> Planner::best(const ConfigurationSet& set) const { return best_packed(packed(set)); }

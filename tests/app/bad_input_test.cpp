@@ -110,10 +110,11 @@ TEST(BadOntology, OneSentenceWithFileAndLine) {
          {"o.ttl:6", "http://example.org/other"}},
         {"cannot be grounded",
          "o.ttl",
-         importing +
-             ":near a owl:ObjectProperty .\n:Seat a owl:Class ; rdfs:subClassOf core:Region ;\n"
-             "  owl:equivalentClass [ a owl:Restriction ; owl:onProperty :near ; owl:someValuesFrom core:Region ] .\n",
-         {"o.ttl:8", "Seat", "near"}},
+         importing + ":Chair a owl:Class ;\n  rdfs:subClassOf core:Object ;\n"
+                     "  owl:equivalentClass [ a owl:Restriction ; owl:onProperty core:hasShape ; owl:someValuesFrom "
+                     "core:Board ] "
+                     ".\n",
+         {"o.ttl:8", "Chair", "hasShape"}},
         {"broken xml",
          "o.owl",
          "<?xml version=\"1.0\"?>\n<rdf:RDF xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\">\n<oops>\n",

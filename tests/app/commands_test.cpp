@@ -6,6 +6,7 @@
 #include "app/run_program.h"
 #include "base/files.h"
 #include "examples/objects.h"
+#include "knowledge/closed_world.h"
 #include "mesh/write_off.h"
 
 namespace partonomy {
@@ -70,18 +71,18 @@ TEST(Check, FindingsAsJson) {
     EXPECT_EQ(result.exit_code, 1);
     json report = json::parse(result.out);
     EXPECT_FALSE(report.at("ok").get<bool>());
-    EXPECT_EQ(report.at("findings").at(0),
-              (json{{"kind", "unknown term"},
-                    {"severity", "wrong"},
-                    {"concepts", {"colour"}},
-                    {"file", "typo.ttl"},
-                    {"line", 6},
-                    {"what", "core:colour is no term of the core ontology"},
-                    {"advice", "did you mean core:color?"},
-                    {"causes", json::array()}}));
+    EXPECT_EQ(report.at("findings").at(0), (json{{"kind", "unknown term"},
+                                                 {"severity", "wrong"},
+                                                 {"concepts", {"colour"}},
+                                                 {"file", "typo.ttl"},
+                                                 {"line", 6},
+                                                 {"what", "core:colour is no term of the core ontology"},
+                                                 {"advice", "did you mean core:color?"},
+                                                 {"causes", json::array()}}));
 
-    folder.write("torn.ttl", start + "core:Region rdfs:subClassOf :Leg .\n"
-                                     ":Leg rdfs:subClassOf [ owl:complementOf :Leg ] .\n");
+    folder.write("torn.ttl", start +
+                                 "core:Region rdfs:subClassOf :Leg .\n"
+                                 ":Leg rdfs:subClassOf [ owl:complementOf :Leg ] .\n");
     result = run_partonomy({"check", "torn.ttl", "--json"}, folder.path());
     EXPECT_EQ(result.exit_code, 1);
     report = json::parse(result.out);
@@ -90,12 +91,30 @@ TEST(Check, FindingsAsJson) {
     EXPECT_EQ(torn.at("causes").at(0).size(), 2U) << torn;
     EXPECT_EQ(run_partonomy({"tree", "torn.ttl"}, folder.path()).exit_code, 1);
 
-    folder.write("refused.ttl", start + ":near a owl:ObjectProperty .\n"
-                                        ":Seat a owl:Class ; rdfs:subClassOf core:Region ; owl:equivalentClass\n"
-                                        "  [ a owl:Restriction ; owl:onProperty :near ; owl:someValuesFrom :Leg ] .\n");
+    folder.write("refused.ttl",
+                 start +
+                     ":Seat a owl:Class ; rdfs:subClassOf core:Object ;\n  owl:equivalentClass\n"
+                     "  [ a owl:Restriction ; owl:onProperty core:hasShape ; owl:someValuesFrom core:Board ] .\n");
     result = run_partonomy({"check", "refused.ttl"}, folder.path());
     EXPECT_EQ(result.exit_code, 1);
     EXPECT_NE(result.out.find("wrong: refused.ttl:11: \"Seat EquivalentTo"), std::string::npos) << result.out;
+}
+
+TEST(Export, ClosesTheWorldOfAnAnnotatedMesh) {
+    const TemporaryFolder folder;
+    folder.write("chair.off", to_off(paper_object("chair").mesh));
+    ASSERT_EQ(
+        run_partonomy({"annotate", "chair.off", "--ontology", furniture_path(), "-o", "out"}, folder.path()).exit_code,
+        0);
+    ProgramResult result = run_partonomy({"export", "--closed", "out/chair", "-o", "mesh.ofn"}, folder.path());
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    const knowledge::ClosedWorld world{owl::load_ontology(folder.path() / "mesh.ofn"), {}};
+    const std::vector<owl::Iri> types =
+        knowledge::ClosedReasoner(world).types("https://w3id.org/partonomy/mesh#object");
+    EXPECT_TRUE(std::ranges::count(types, "https://w3id.org/partonomy/furniture#Chair")) << types.size();
+    result = run_partonomy({"export", "out/chair"}, folder.path());
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_NE(result.err.find("--closed"), std::string::npos);
 }
 
 TEST(Export, ChangesTheSyntaxAndNothingElse) {
@@ -109,7 +128,8 @@ TEST(Export, ChangesTheSyntaxAndNothingElse) {
     for (const std::string name : {"out.ttl", "out.ofn"}) {
         const ProgramResult result = run_partonomy({"export", furniture_path(), "-o", name}, folder.path());
         ASSERT_EQ(result.exit_code, 0) << result.err;
-        EXPECT_NE(read_file(folder.path() / name).find("w3id.org/partonomy/core>"), std::string::npos) << "the import is kept";
+        EXPECT_NE(read_file(folder.path() / name).find("w3id.org/partonomy/core>"), std::string::npos)
+            << "the import is kept";
         EXPECT_EQ(hierarchy(name), expected);
         ASSERT_EQ(run_partonomy({"export", name, "--merge-imports", "--format", "functional", "-o", "merged.owl"},
                                 folder.path())
@@ -126,8 +146,9 @@ TEST(Export, ChangesTheSyntaxAndNothingElse) {
 
 TEST(Export, ClosesTheWorldOfNamedIndividuals) {
     const TemporaryFolder folder;
-    write_file(folder.path() / "in.ofn", "Prefix(:=<http://a.b/c#>) Ontology(<http://a.b/c> Declaration(Class(:Leg))\n"
-                                         "ClassAssertion(:Leg :left) ClassAssertion(:Leg :right))");
+    write_file(folder.path() / "in.ofn",
+               "Prefix(:=<http://a.b/c#>) Ontology(<http://a.b/c> Declaration(Class(:Leg))\n"
+               "ClassAssertion(:Leg :left) ClassAssertion(:Leg :right))");
     ASSERT_EQ(run_partonomy({"export", "in.ofn", "--closed", "-o", "out.ofn"}, folder.path()).exit_code, 0);
     const std::string text = read_file(folder.path() / "out.ofn");
     EXPECT_NE(text.find("EquivalentClasses(owl:Thing ObjectOneOf("), std::string::npos) << text;
