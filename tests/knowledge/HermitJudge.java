@@ -18,7 +18,8 @@ import org.semanticweb.owlapi.reasoner.ReasonerInterruptedException;
  *
  *     java -cp HermiT.jar HermitJudge.java [beginnings of names] < ontologies
  *
- * With arguments, only the classes of individuals whose names begin with one of them and have no dot.
+ * With arguments, only the classes of individuals whose names begin with one of them and have no dot; an argument that
+ * begins with http: only classes whose IRIs begin with it.
  */
 public class HermitJudge {
     private static String name(OWLEntity entity) {
@@ -42,6 +43,16 @@ public class HermitJudge {
         return false;
     }
 
+    private static boolean isAsked(OWLClass c, String[] beginnings) {
+        boolean isRestricted = false;
+        for (String beginning : beginnings) {
+            if (!beginning.startsWith("http")) continue;
+            if (c.getIRI().toString().startsWith(beginning)) return true;
+            isRestricted = true;
+        }
+        return !isRestricted;
+    }
+
     private static String judge(String text, String[] beginnings) throws Exception {
         OWLOntologyManager manager = OWLManager.createOWLOntologyManager();
         OWLDataFactory make = manager.getOWLDataFactory();
@@ -56,7 +67,7 @@ public class HermitJudge {
             for (OWLNamedIndividual a : everybody) {
                 if (!isAsked(a, beginnings)) continue;
                 for (OWLClass c : ontology.getClassesInSignature())
-                    if (!c.isOWLThing() && !c.isOWLNothing() && follows(reasoner, make, a, c))
+                    if (!c.isOWLThing() && !c.isOWLNothing() && isAsked(c, beginnings) && follows(reasoner, make, a, c))
                         found.add(name(c) + "(" + name(a) + ")");
                 if (beginnings.length > 0) continue;
                 for (OWLNamedIndividual b : everybody) {
