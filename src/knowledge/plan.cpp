@@ -112,11 +112,12 @@ bool Planner::is_decided_packed(const ConfigurationSet& set) const {
     // When what nothing can answer tells the label, nothing that is asked will.
     const auto is_told = [&](const auto& self, const ConfigurationSet& some, std::size_t from) -> bool {
         if (is_one_label(some)) return true;
-        for (std::size_t v = from; v < space_->variables.size(); ++v) {
-            if (space_->variables[v].kind != VariableKind::open || some.is_subset_of(space_->holds[v][0]) ||
-                !some.intersects(space_->holds[v][0]))
+        for (std::size_t i = from; i < candidates_.size(); ++i) {
+            const auto& [question, yes, answerable] = candidates_[i];
+            if (space_->variables[question.variable].kind != VariableKind::open || some.is_subset_of(yes) ||
+                !some.intersects(yes))
                 continue;
-            return self(self, some & space_->holds[v][0], v + 1) && self(self, some - space_->holds[v][0], v + 1);
+            return self(self, some & yes, i + 1) && self(self, some - yes, i + 1);
         }
         return false;
     };

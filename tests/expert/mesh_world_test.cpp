@@ -35,7 +35,7 @@ Told told_of(const std::string& name) {
         for (const ConceptId id : entailed(space, set))
             told.classes.insert(owl::local_name(space.concepts[id].iri) + "(" + owl::local_name(individual) + ")");
     };
-    tell(domain.objects, concluded.object, told.mesh.object);
+    tell(*concluded.objects, concluded.object, told.mesh.object);
     for (std::size_t r = 0; r < told.mesh.regions.size(); ++r)
         tell(domain.regions, concluded.regions[r], told.mesh.regions[r]);
     return told;
@@ -47,7 +47,7 @@ std::set<std::string> own_classes(const std::set<std::string>& all) {
     const Domain& domain = Furniture::get().domain;
     for (const std::string& each : all) {
         const Iri iri = "https://w3id.org/partonomy/furniture#" + each.substr(0, each.find('('));
-        if (domain.objects.find(iri) || domain.regions.find(iri)) own.insert(each);
+        if (domain.objects().find(iri) || domain.regions.find(iri)) own.insert(each);
     }
     return own;
 }

@@ -63,7 +63,7 @@ public:
         }
         const Conclusions concluded = conclude(domain, known);
         if (concluded.contradiction) return "contradiction";
-        const Space& space = region < 0 ? domain.objects : domain.regions;
+        const Space& space = region < 0 ? *concluded.objects : domain.regions;
         std::string names;
         for (const ConceptId id : entailed(space, region < 0 ? concluded.object : concluded.regions[region]))
             names += (names.empty() ? "" : " ") + owl::local_name(space.concepts[id].iri);
@@ -303,7 +303,7 @@ TEST(MeshWorld, HermitAgrees) {
         EXPECT_EQ(word, "consistent") << lines[i];
         while (words >> word) {
             const owl::Iri iri = "urn:t#" + word.substr(0, word.find('('));
-            if (mesh.domain.objects.find(iri) || mesh.domain.regions.find(iri)) theirs.insert(word);
+            if (mesh.domain.objects().find(iri) || mesh.domain.regions.find(iri)) theirs.insert(word);
         }
         for (int region = -1; region < 3; ++region) {
             std::istringstream names(mesh.classes(region));
@@ -340,7 +340,7 @@ TEST(MeshWorld, AgreesWithTheSpaces) {
         const auto follows = [&](const Iri& individual, const Concept& each) {
             return std::ranges::binary_search(reasoner.types(individual), each.iri);
         };
-        for (const Concept& each : domain.objects.concepts)
+        for (const Concept& each : spaces.objects->concepts)
             EXPECT_EQ(follows(mesh.object, each), spaces.object.is_subset_of(each.where)) << each.iri;
         // What the object is may tell what a region is, which spaces do not look at.
         for (std::size_t r = 0; r < mesh.regions.size(); ++r)
