@@ -22,7 +22,8 @@ namespace {
 
 constexpr Color white{255, 255, 255}, ink{38, 38, 44};
 constexpr double depth_jump = 0.02;
-constexpr int band_height = 8;                        // pixels
+constexpr int block = 16;                             // samples looked at together
+constexpr int band_height = 12;                       // pixels
 constexpr double nudge_x = 0.0137, nudge_y = 0.0071;  // keeps samples off the edges of symmetric objects
 
 /// A triangle as the camera sees it.
@@ -145,17 +146,30 @@ private:
     /// Marks the samples on both sides of every split.
     void find_splits() {
         std::ranges::fill(split_, std::uint8_t{0});
-        const int columns = samples_.columns();
         for (int y = 0; y < samples_.rows(); ++y) {
             const std::int32_t* here = samples_.row(y);
             const std::int32_t* below = y + 1 < samples_.rows() ? samples_.row(y + 1) : here;
-            std::uint8_t* split = split_.data() + static_cast<std::ptrdiff_t>(y) * columns;
-            for (int x = first_column_; x <= last_column_; ++x) {
-                if (x < last_column_ && here[x] != here[x + 1] && is_split(here[x], x, y, here[x + 1], x + 1, y))
-                    split[x] = split[x + 1] = 1;
-                if (here[x] != below[x] && is_split(here[x], x, y, below[x], x, y + 1))
-                    split[x] = split[x + columns] = 1;
-            }
+            int x = first_column_;
+            for (; x + block < last_column_; x += block)
+                if (has_borders(here + x, below + x)) find_splits(here, below, x, x + block, y);
+            find_splits(here, below, x, last_column_ + 1, y);
+        }
+    }
+
+    /// Whether any of `block` samples differs from the next one or from the one below.
+    [[nodiscard]] static bool has_borders(const std::int32_t* here, const std::int32_t* below) {
+        std::int32_t differences = 0;
+        for (int i = 0; i < block; ++i) differences |= (here[i] ^ here[i + 1]) | (here[i] ^ below[i]);
+        return differences != 0;
+    }
+
+    void find_splits(const std::int32_t* here, const std::int32_t* below, int begin, int end, int y) {
+        const int columns = samples_.columns();
+        std::uint8_t* split = split_.data() + static_cast<std::ptrdiff_t>(y) * columns;
+        for (int x = begin; x < end; ++x) {
+            if (x < last_column_ && here[x] != here[x + 1] && is_split(here[x], x, y, here[x + 1], x + 1, y))
+                split[x] = split[x + 1] = 1;
+            if (here[x] != below[x] && is_split(here[x], x, y, below[x], x, y + 1)) split[x] = split[x + columns] = 1;
         }
     }
 
@@ -165,11 +179,17 @@ private:
         const std::uint8_t* split = split_.data() + static_cast<std::size_t>(2 * y + 1) * columns + 1;
         const int last = std::min(frame_.width - 1, (last_column_ - 1) / 2);
         for (int x = std::max(first_column_ - 1, 0) / 2; x <= last; ++x) {
-            const std::array<std::int32_t, 4> fronts{upper[2 * x], upper[2 * x + 1], lower[2 * x], lower[2 * x + 1]};
+            const std::int32_t *above = upper + 2 * x, *under = lower + 2 * x;
             const std::uint8_t* at = split + static_cast<std::ptrdiff_t>(2) * x;
-            const std::array<std::uint8_t, 4> splits{at[0], at[1], at[columns], at[columns + 1]};
-            if (fronts == nothing && splits == whole) continue;
-            canvas.set(frame_.left + x, frame_.top + top + y, mean(fronts, splits));
+            const bool is_plain = (at[0] | at[1] | at[columns] | at[columns + 1]) == 0;
+            const std::int32_t front = above[0];
+            if (is_plain && ((front ^ above[1]) | (front ^ under[0]) | (front ^ under[1])) == 0) {
+                if (front >= 0)
+                    canvas.set(frame_.left + x, frame_.top + top + y, facets_[static_cast<std::size_t>(front)].color);
+            } else {
+                canvas.set(frame_.left + x, frame_.top + top + y,
+                           mean({front, above[1], under[0], under[1]}, {at[0], at[1], at[columns], at[columns + 1]}));
+            }
         }
     }
 
@@ -180,7 +200,6 @@ private:
             return splits[i] != 0 ? ink : fronts[i] < 0 ? white : facets_[static_cast<std::size_t>(fronts[i])].color;
         };
         const Color first = color_at(0);
-        if (splits == whole && fronts == std::array{fronts[0], fronts[0], fronts[0], fronts[0]}) return first;
         std::array<unsigned, 3> sum{first[0], first[1], first[2]};
         bool is_mixed = false;
         for (std::size_t i = 1; i < 4; ++i) {
@@ -194,9 +213,6 @@ private:
             mixed[channel] = static_cast<std::uint8_t>((sum[channel] / 4 & 0xf0U) | 8U);
         return mixed;
     }
-
-    static constexpr std::array<std::int32_t, 4> nothing{-1, -1, -1, -1};
-    static constexpr std::array<std::uint8_t, 4> whole{0, 0, 0, 0};
 
     const Scene& scene_;
     const Frame frame_;

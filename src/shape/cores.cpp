@@ -449,22 +449,34 @@ void drop_odd_thickness(const Surface& s, Core& component, bool slanted) {
 /// The parts of components that can be cores.
 std::vector<Core> divide(const Surface& s, std::vector<Core> components, double total_area, double least_cubes,
                          bool slanted) {
-    const auto too_small = [&](Core& core) {
+    const auto too_small = [&](const Core& core) {
         return core.area < least_share * total_area || is_fin(s, core.thickness, core.area / total_area) ||
                core.area < least_cubes * core.thickness * core.thickness;
     };
+    std::vector<std::optional<PlainPiece>> plain(components.size());
+    for_each_range(
+        components.size(), s.threads,
+        [&](std::size_t begin, std::size_t end) {
+            for (std::size_t k = begin; k < end; ++k) {
+                Core& component = components[k];
+                if (component.triangles.size() >= 4) component.thickness = median_thickness(s, component.triangles);
+                if (component.triangles.size() < 4 || too_small(component)) {
+                    component.triangles.clear();
+                    continue;
+                }
+                drop_odd_thickness(s, component, slanted);
+                if (!slanted) plain[k] = as_plain_piece(s, component.triangles, component.thickness, component.area);
+            }
+        },
+        4);
     std::vector<Core> cores;
     std::vector<Sampled> sampled;
-    for (Core& component : components) {
-        if (component.triangles.size() < 4) continue;
-        component.thickness = median_thickness(s, component.triangles);
-        if (too_small(component)) continue;
-        drop_odd_thickness(s, component, slanted);
-        const auto plain =
-            slanted ? std::nullopt : as_plain_piece(s, component.triangles, component.thickness, component.area);
-        if (plain) {
-            component.kind = kind_of(plain->narrow / component.thickness, plain->wide / component.thickness, narrowest);
-            component.axis = plain->along;
+    for (std::size_t k = 0; k < components.size(); ++k) {
+        Core& component = components[k];
+        if (component.triangles.empty()) continue;
+        if (const auto& piece = plain[k]) {
+            component.kind = kind_of(piece->narrow / component.thickness, piece->wide / component.thickness, narrowest);
+            component.axis = piece->along;
             cores.push_back(std::move(component));
             continue;
         }
@@ -474,7 +486,7 @@ std::vector<Core> divide(const Surface& s, std::vector<Core> components, double 
     look_around(s, sampled, slanted);
     Divider divider(s, slanted);
     for (Sampled& component : sampled) divider.divide(std::move(component), cores);
-    std::erase_if(cores, [&](Core& core) { return core.kind == Solidity::unknown || too_small(core); });
+    std::erase_if(cores, [&](const Core& core) { return core.kind == Solidity::unknown || too_small(core); });
     return cores;
 }
 

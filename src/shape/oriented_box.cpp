@@ -3,11 +3,13 @@
 // Idea: when one axis of the box is known, the other two follow exactly: the smallest rectangle around the points'
 // shadow in the plane across it (2D hull, then one side of the rectangle lies on a hull edge). So a box is improved by
 // turning it about each of its axes in turn to the exact best angle, until nothing is gained. O'Rourke (1985) shows
-// that the optimum has two neighbouring faces flush with hull edges; the turning reaches such boxes from starts near
-// enough, so many starts are tried: fixed directions spread over the sphere, the principal axes and the normals of
-// large hull triangles. Small turns about all three axes then settle what single turns cannot reach.
+// that the optimum has two neighbouring faces flush with hull edges. What such turns cannot reach, a search over one
+// axis alone does: the best box about an axis is a function on the sphere with two parameters, and a downhill simplex
+// (Nelder and Mead 1965) leads to its nearest valley. Starts are the principal axes, directions spread over the sphere
+// as the points are, and for eight points or fewer the normals of all their triangles. Only starts that come near the
+// best go on: one for a board, up to four for a cloud.
 //
-// Cost: only the points that are extreme along one of the fixed directions take part (a few hundred at most); all
+// Cost: only the points that are extreme along one of the spread directions take part (a few hundred at most); all
 // points are measured against the result, those that stick out join, and the last steps are repeated. So the box holds
 // every point, and n enters linearly. PCA alone was left: on the cube of the paper's Fig. 16 its box is 3 times too
 // large.
@@ -78,6 +80,9 @@ bool fills_its_corners(const Points& points, const Matrix3d& axes, double size) 
 double padded_volume(const Vec3& sides, double size) { return (sides.array() + 1e-9 * size).prod(); }
 
 constexpr int most_turns = 60;  // flat sets would creep on: each turn gains a little of next to nothing
+constexpr int most_descents = 60;
+constexpr double least_lean = 1e-5;  // radians: a simplex smaller than this has settled
+constexpr double least_gain = 1e-5;  // a round of improving that gains less is the last
 
 class Search {
 public:
@@ -106,12 +111,13 @@ public:
         return turned;
     }
 
-    /// Turns about single axes to the exact optimum, then small turns about all, until neither gains.
-    void improve(Turned& box, double least_gain) {
-        for (int round = 0; round < 20; ++round) {
+    /// Moves the box's first axis to where the best box about it is smallest nearby, then turns about all three; again
+    /// while that gains.
+    void improve(Turned& box) {
+        for (const double step : {0.1, 0.025, 0.025}) {
             const double before = box.volume;
+            descend(box, step);
             turn_exactly(box);
-            turn_slightly(box);
             if (box.volume > before * (1 - least_gain)) break;
         }
     }
@@ -127,15 +133,51 @@ public:
     }
 
 private:
-    void turn_slightly(Turned& box) {
-        for (double angle = 0.25; angle > 2e-5; angle /= 3)
-            for (int axis = 0; axis < 3; ++axis)
-                for (const double sign : {1.0, -1.0}) {
-                    const Matrix3d turn = Eigen::AngleAxisd(sign * angle, Vec3(box.axes.col(axis))).toRotationMatrix();
-                    const Matrix3d axes = turn * box.axes;
-                    const double volume = padded_volume(extents(points_, axes), size_);
-                    if (volume < box.volume * (1 - 1e-9)) box = {axes, volume};
+    /// The best box about an axis that leans from the first box's by (u, v).
+    struct Leaning {
+        double u = 0, v = 0;
+        Turned box;
+    };
+
+    /// Downhill simplex over the sphere of axes, from a triangle with sides of `step` radians.
+    void descend(Turned& box, double step) {
+        const Matrix3d axes = box.axes;
+        const auto lean = [&](double u, double v) {
+            return Leaning{u, v, about((axes.col(0) + u * axes.col(1) + v * axes.col(2)).normalized())};
+        };
+        std::array<Leaning, 3> corners{Leaning{0, 0, box}, lean(step, 0), lean(0, step)};
+        auto& [best, middle, worst] = corners;
+        const auto sort = [&] {
+            std::stable_sort(corners.begin(), corners.end(),
+                             [](const Leaning& a, const Leaning& b) { return a.box.volume < b.box.volume; });
+        };
+        sort();
+        for (int round = 0; round < most_descents; ++round) {
+            const double width = std::max(std::hypot(middle.u - best.u, middle.v - best.v),
+                                          std::hypot(worst.u - best.u, worst.v - best.v));
+            if (width < least_lean || worst.box.volume < best.box.volume * (1 + 1e-8)) break;
+            const double u = (best.u + middle.u) / 2, v = (best.v + middle.v) / 2;
+            const auto beyond = [&](double times) {
+                return lean(u + times * (u - worst.u), v + times * (v - worst.v));
+            };
+            const Leaning across = beyond(1);
+            if (across.box.volume < best.box.volume) {
+                const Leaning farther = beyond(2);
+                worst = farther.box.volume < across.box.volume ? farther : across;
+            } else if (across.box.volume < middle.box.volume) {
+                worst = across;
+            } else {
+                const Leaning nearer = beyond(across.box.volume < worst.box.volume ? 0.5 : -0.5);
+                if (nearer.box.volume < std::min(across.box.volume, worst.box.volume)) {
+                    worst = nearer;
+                } else {
+                    middle = lean((best.u + middle.u) / 2, (best.v + middle.v) / 2);
+                    worst = lean((best.u + worst.u) / 2, (best.v + worst.v) / 2);
                 }
+            }
+            sort();
+        }
+        if (best.box.volume < box.volume) box = best.box;
     }
 
     const Points& points_;
@@ -144,9 +186,11 @@ private:
 };
 
 constexpr Eigen::Index most_points_for_triples = 8;
-constexpr std::size_t most_points_at_once = 48;  // of more, those that are extreme somewhere take part first
-constexpr double second_chance = 1.01;           // a second box this near in volume may turn out to be the smaller one
-constexpr double fine_gain = 1e-7;               // a round of turning that gains less is the last
+constexpr std::size_t most_points_at_once = 12;  // of more, those that are extreme somewhere take part first
+constexpr std::size_t most_starts = 8, most_improved = 4;
+constexpr double too_large_to_turn = 1.5;      // times the smallest start
+constexpr double too_large_to_improve = 1.03;  // times the smallest turned box
+constexpr double second_chance = 1.01;         // a second box this near in volume may turn out to be the smaller one
 
 /// Numbers of the points that are extreme along one of the directions, ascending.
 std::vector<Eigen::Index> extreme_points(std::span<const Vec3> points, const Points& directions) {
@@ -249,15 +293,15 @@ bool are_alike(const Matrix3d& a, const Matrix3d& b) {
     return cosines.rowwise().maxCoeff().minCoeff() > 0.97;
 }
 
-/// The starts: boxes about the principal axes, fixed directions and, in small sets, across every triangle of points.
+/// The starts: boxes about the principal axes, spread directions and, in small sets, across every triangle of points.
 /// The best ones, no two alike.
-std::vector<Turned> starting_boxes(Search& search, const Points& points, std::size_t wanted) {
+std::vector<Turned> starting_boxes(Search& search, const Points& points) {
     std::vector<Turned> all;
     const Principal principal = principal_axes(points);
     for (int k = 0; k < 3; ++k) all.push_back(search.about(principal.axes.col(k)));
-    const Points fixed = spread_directions(40), fitted = fitted_directions(fixed, principal);
-    for (const Points& directions : {fixed, fitted})
-        for (Eigen::Index d = 0; d < directions.cols(); ++d) all.push_back(search.about(directions.col(d)));
+    static const Points fixed = spread_directions(40);
+    const Points directions = fitted_directions(fixed, principal);
+    for (Eigen::Index d = 0; d < directions.cols(); ++d) all.push_back(search.about(directions.col(d)));
     if (points.cols() <= most_points_for_triples)
         for (Eigen::Index i = 0; i < points.cols(); ++i)
             for (Eigen::Index j = i + 1; j < points.cols(); ++j)
@@ -272,9 +316,16 @@ std::vector<Turned> starting_boxes(Search& search, const Points& points, std::si
         if (std::any_of(starts.begin(), starts.end(), [&](const Turned& s) { return are_alike(s.axes, box.axes); }))
             continue;
         starts.push_back(box);
-        if (starts.size() == wanted) break;
+        if (starts.size() == most_starts) break;
     }
     return starts;
+}
+
+/// Sorts by volume; keeps at most `most`, and none more than `times` as large as the smallest.
+void keep_small(std::vector<Turned>& boxes, std::size_t most, double times) {
+    std::stable_sort(boxes.begin(), boxes.end(), [](const Turned& a, const Turned& b) { return a.volume < b.volume; });
+    boxes.resize(std::min(boxes.size(), most));
+    while (boxes.back().volume > times * boxes.front().volume) boxes.pop_back();
 }
 
 }  // namespace
@@ -300,20 +351,18 @@ OrientedBox smallest_box(std::span<const Vec3> points) {
     std::vector<Turned> boxes;
     {
         Search search(active, size);
-        boxes = starting_boxes(search, active, active.cols() <= most_points_for_triples ? 12 : 8);
-        const auto smaller = [](const Turned& a, const Turned& b) { return a.volume < b.volume; };
+        boxes = starting_boxes(search, active);
         if (fills_its_corners(active, boxes.front().axes, size)) return measured_box(points, boxes.front().axes);
+        keep_small(boxes, most_starts, too_large_to_turn);
         for (Turned& box : boxes) search.turn_exactly(box);
-        std::stable_sort(boxes.begin(), boxes.end(), smaller);
-        boxes.resize(std::min<std::size_t>(boxes.size(), 3));
-        for (Turned& box : boxes) search.improve(box, fine_gain);
-        std::stable_sort(boxes.begin(), boxes.end(), smaller);
+        keep_small(boxes, most_improved, too_large_to_improve);
+        for (Turned& box : boxes) search.improve(box);
+        keep_small(boxes, 2, second_chance);
     }
     if (chosen.size() == points.size()) return measured_box(points, boxes.front().axes);
 
     // The points that were left out may stick out: those extreme along the box's axes, and along directions near them,
     // join.
-    boxes.resize(boxes.size() > 1 && boxes[1].volume < second_chance * boxes[0].volume ? 2 : 1);
     for (Turned& box : boxes)
         for (int round = 0; round < 3; ++round) {
             const double whole = padded_volume(measured_box(points, box.axes).lengths, size);
@@ -328,7 +377,7 @@ OrientedBox smallest_box(std::span<const Vec3> points) {
             active = gather(points, chosen);
             box.volume = padded_volume(extents(active, box.axes), size);
             if (chosen.size() == before) break;
-            Search(active, size).improve(box, fine_gain);
+            Search(active, size).improve(box);
         }
     const Turned& best = *std::min_element(boxes.begin(), boxes.end(),
                                            [](const Turned& a, const Turned& b) { return a.volume < b.volume; });
