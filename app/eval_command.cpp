@@ -6,10 +6,13 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "algorithms/object.h"
 #include "app/commands.h"
 #include "base/errors.h"
 #include "base/files.h"
 #include "mesh/read_mesh.h"
+#include "report/boundaries.h"
+#include "report/eval_pictures.h"
 #include "report/evaluate.h"
 
 namespace partonomy::app {
@@ -19,8 +22,9 @@ namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
 struct Arguments {
-    std::string run_folder, truth, mesh;
+    std::string run_folder, truth, mesh, pictures;
     std::vector<std::string> names;
+    int worst = 8;
     bool json = false;
 };
 
@@ -58,12 +62,24 @@ fs::path truth_file(const fs::path& truth, const std::string& stem) {
                                  truth.string(), stem, stem));
 }
 
-std::string mesh_of(const fs::path& folder) {
+nlohmann::json annotation_in(const fs::path& folder) {
     const fs::path path = folder / "annotation.json";
-    const auto annotation = nlohmann::json::parse(read_file(path), nullptr, false);
+    return fs::exists(path) ? nlohmann::json::parse(read_file(path), nullptr, false) : nlohmann::json();
+}
+
+std::string mesh_of(const fs::path& folder) {
+    const auto annotation = annotation_in(folder);
     if (annotation.is_object() && annotation.contains("mesh") && annotation["mesh"].contains("file"))
         return annotation["mesh"]["file"].get<std::string>();
-    throw UsageError(at(path.string(), 0, "does not name its mesh; give it with --mesh"));
+    throw UsageError(at((folder / "annotation.json").string(), 0, "does not name its mesh; give it with --mesh"));
+}
+
+/// The up axis that the annotation names; z when it names none.
+Vec3 up_of(const fs::path& folder) {
+    const auto annotation = annotation_in(folder);
+    if (!annotation.is_object() || !annotation.contains("mesh") || !annotation["mesh"].contains("up"))
+        return Vec3::UnitZ();
+    return parse_up(annotation["mesh"]["up"].get<std::string>());
 }
 
 std::vector<std::string> lines_of(const fs::path& path) {
@@ -78,38 +94,100 @@ std::vector<std::string> lines_of(const fs::path& path) {
     return lines;
 }
 
+/// One annotated mesh beside its truth.
+struct Compared {
+    Evaluation result;
+    BoundaryScore boundaries;
+    SheetEntry entry;  ///< its title is the mesh's name
+};
+
+Compared compare(const Arguments& arguments, const fs::path& folder) {
+    const std::string stem =
+        folder.filename().empty() ? folder.parent_path().filename().string() : folder.filename().string();
+    Compared compared;
+    SheetEntry& entry = compared.entry;
+    entry.title = stem;
+    entry.mesh = read_mesh(arguments.mesh.empty() ? mesh_of(folder) : arguments.mesh).mesh;
+    entry.truth = read_truth(truth_file(arguments.truth, stem).string(), entry.mesh.input_face_count,
+                             parse_names(arguments.names));
+    entry.labels = lines_of(folder / "labels.txt");
+    compared.result = evaluate_labels(entry.labels, entry.truth, input_face_areas(entry.mesh));
+    compared.boundaries = compare_boundaries(entry.mesh, entry.labels, entry.truth);
+    if (!arguments.pictures.empty()) entry.up = up_of(folder);
+    return compared;
+}
+
+/// Keeps the worst meshes, the very worst first.
+class Worst {
+public:
+    explicit Worst(int most) : most_(static_cast<std::size_t>(most)) {}
+
+    void add(double accuracy, SheetEntry entry) {
+        entry.title += fmt::format(": {:.4f}", accuracy);
+        const auto place = std::upper_bound(entries_.begin(), entries_.end(), accuracy,
+                                            [](double value, const auto& other) { return value < other.first; });
+        entries_.insert(place, {accuracy, std::move(entry)});
+        if (entries_.size() > most_) entries_.pop_back();
+    }
+
+    [[nodiscard]] std::vector<SheetEntry> take() {
+        std::vector<SheetEntry> sheet;
+        for (auto& [accuracy, entry] : entries_) sheet.push_back(std::move(entry));
+        return sheet;
+    }
+
+private:
+    std::size_t most_;
+    std::vector<std::pair<double, SheetEntry>> entries_;
+};
+
+void write_pictures(const fs::path& folder, const std::map<std::string, std::map<std::string, double>>& confusion,
+                    const std::vector<SheetEntry>& worst) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) throw FileError(at(folder.string(), 0, "cannot be made: " + error.message()));
+    write_file(folder / "confusion.png", confusion_picture(confusion));
+    write_file(folder / "worst.png", contact_sheet(worst));
+}
+
 int run_eval(const Arguments& arguments) {
-    const std::map<std::string, std::string> names = parse_names(arguments.names);
     ordered_json results = ordered_json::array();
     double mean = 0;
+    std::map<std::string, std::map<std::string, double>> confusion;  // mean over the meshes
+    Worst worst(arguments.worst);
     const std::vector<fs::path> folders = annotated_folders(arguments.run_folder);
     if (!arguments.json)
-        fmt::print("{:<24} {:>9} {:>9} {:>9}  {}\n", "mesh", "area acc.", "face acc.", "Rand err.", "IoU by label");
+        fmt::print("{:<24} {:>9} {:>9} {:>9} {:>9}  {}\n", "mesh", "area acc.", "face acc.", "Rand err.", "border F",
+                   "IoU by label");
     for (const fs::path& folder : folders) {
-        const std::string stem =
-            folder.filename().empty() ? folder.parent_path().filename().string() : folder.filename().string();
-        const LoadedMesh loaded = read_mesh(arguments.mesh.empty() ? mesh_of(folder) : arguments.mesh);
-        const std::vector<std::string> truth =
-            read_truth(truth_file(arguments.truth, stem).string(), loaded.mesh.input_face_count, names);
-        const Evaluation result =
-            evaluate_labels(lines_of(folder / "labels.txt"), truth, input_face_areas(loaded.mesh));
+        Compared compared = compare(arguments, folder);
+        const auto& [result, boundaries, entry] = compared;
         mean += result.area_accuracy / static_cast<double>(folders.size());
+        for (const auto& [truth, row] : result.confusion)
+            for (const auto& [answer, share] : row)
+                confusion[truth][answer] += share / static_cast<double>(folders.size());
         if (arguments.json) {
-            results.push_back({{"mesh", stem},
-                               {"area_accuracy", result.area_accuracy},
-                               {"face_accuracy", result.face_accuracy},
-                               {"rand_index_error", result.rand_index_error},
-                               {"iou", result.iou},
-                               {"confusion", result.confusion}});
+            results.push_back(
+                {{"mesh", entry.title},
+                 {"area_accuracy", result.area_accuracy},
+                 {"face_accuracy", result.face_accuracy},
+                 {"rand_index_error", result.rand_index_error},
+                 {"boundary",
+                  {{"f", boundaries.f()}, {"precision", boundaries.precision}, {"recall", boundaries.recall}}},
+                 {"iou", result.iou},
+                 {"confusion", result.confusion}});
         } else {
             std::string iou;
             for (const auto& [label, value] : result.iou) iou += fmt::format("{} {:.3f}  ", label, value);
-            fmt::print("{:<24} {:>9.4f} {:>9.4f} {:>9.4f}  {}\n", stem, result.area_accuracy, result.face_accuracy,
-                       result.rand_index_error, iou);
+            fmt::print("{:<24} {:>9.4f} {:>9.4f} {:>9.4f} {:>9.4f}  {}\n", entry.title, result.area_accuracy,
+                       result.face_accuracy, result.rand_index_error, boundaries.f(), iou);
         }
+        if (!arguments.pictures.empty()) worst.add(result.area_accuracy, std::move(compared.entry));
     }
+    if (!arguments.pictures.empty()) write_pictures(arguments.pictures, confusion, worst.take());
     if (arguments.json)
-        fmt::print("{}\n", ordered_json{{"meshes", results}, {"mean_area_accuracy", mean}}.dump(2));
+        fmt::print("{}\n",
+                   ordered_json{{"meshes", results}, {"mean_area_accuracy", mean}, {"confusion", confusion}}.dump(2));
     else
         fmt::print("{:<24} {:>9.4f}\n", "mean", mean);
     return recognised;
@@ -128,6 +206,11 @@ void add_eval_command(CLI::App& app, Run& run) {
         .add_option("--names", arguments->names, "what truth labels are called in the ontology: support=Seat,leg=Leg")
         ->delimiter(',');
     command.add_option("--mesh", arguments->mesh, "the mesh, when it is not where it was annotated");
+    command.add_option("--pictures", arguments->pictures,
+                       "folder for confusion.png and worst.png, the worst meshes beside their truth");
+    command.add_option("--worst", arguments->worst, "how many meshes worst.png shows")
+        ->check(CLI::Range(1, 100))
+        ->capture_default_str();
     command.add_flag("--json", arguments->json, "print JSON");
     command.callback([arguments, &run] { run = [arguments] { return run_eval(*arguments); }; });
 }

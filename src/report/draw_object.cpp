@@ -225,11 +225,11 @@ private:
 }  // namespace
 
 void draw_object(Canvas& canvas, const Frame& frame, const TriangleMesh& mesh, const Annotation& annotation,
-                 const Vec3& up, const PreviewOptions& options) {
+                 const Annotation& viewed, const Vec3& up, const PreviewOptions& options) {
     if (mesh.triangles.empty() || frame.width < 4 || frame.height < 4) return;
     const PlacedMesh placed(mesh);
     const Frame inner{frame.left + 1, frame.top + 1, frame.width - 2, frame.height - 2};  // room for the line around it
-    const Camera camera = choose_view(placed, annotation, up, inner);
+    const Camera camera = choose_view(placed, viewed, up, inner);
     const Scene scene(mesh, placed, annotation, camera, up.stableNormalized(), frame);
     for_each_range(
         scene.bands.size(), options.threads,

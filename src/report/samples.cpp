@@ -3,8 +3,8 @@
 // neighbours leave no gap between them.
 //
 // Cost: a division or two a triangle, a few operations a row and a sample. A picture of the curved bench (2,542
-// triangles, 480 x 360, four samples a pixel throughout) took half the instructions of one with a ray of Embree's a pixel
-// and four at borders, since neighbouring samples share their work.
+// triangles, 480 x 360, four samples a pixel throughout) took half the instructions of one with a ray of Embree's a
+// pixel and four at borders, since neighbouring samples share their work.
 
 #include "report/samples.h"
 

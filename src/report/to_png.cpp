@@ -148,7 +148,7 @@ std::string to_png(const TriangleMesh& mesh, const Annotation& annotation, const
         const int right = draw_legend(canvas, annotation, top);
         frame = {margin, top, right - 2 * margin, options.height - top - margin};
     }
-    draw_object(canvas, frame, mesh, annotation, up, options);
+    draw_object(canvas, frame, mesh, annotation, annotation, up, options);
     return encode_png(canvas);
 }
 

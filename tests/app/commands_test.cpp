@@ -234,6 +234,25 @@ TEST(Eval, AgainstTheTruthOfTheExamples) {
     const json report = json::parse(result.out);
     EXPECT_EQ(report.at("meshes").size(), 7U);
     EXPECT_NEAR(report.at("mean_area_accuracy").get<double>(), 1, 1e-12);
+    for (const json& mesh : report.at("meshes")) EXPECT_DOUBLE_EQ(mesh.at("boundary").at("f").get<double>(), 1) << mesh;
+    double right = 0;
+    for (const auto& [truth, row] : report.at("confusion").items())
+        for (const auto& [answer, share] : row.items())
+            if (answer == truth) right += share.get<double>();
+    EXPECT_NEAR(right, 1, 1e-9) << "the mean of confusions that each add up to 1";
+
+    EXPECT_FALSE(fs::exists(folder.path() / "pictures"));
+    const ProgramResult pictures = run_partonomy(
+        {"eval", "out", "--truth", "truth", "--names", "foot=Leg", "--pictures", "pictures", "--worst", "3"},
+        folder.path());
+    ASSERT_EQ(pictures.exit_code, 0) << pictures.err;
+    for (const char* name : {"confusion.png", "worst.png"})
+        EXPECT_EQ(read_file(folder.path() / "pictures" / name).substr(1, 3), "PNG") << name;
+    folder.write("taken", "a file");
+    const ProgramResult refused =
+        run_partonomy({"eval", "out", "--truth", "truth", "--names", "foot=Leg", "--pictures", "taken"}, folder.path());
+    EXPECT_EQ(refused.exit_code, 1);
+    EXPECT_NE(refused.err.find("taken"), std::string::npos) << refused.err;
 }
 
 }  // namespace

@@ -1,9 +1,11 @@
-// CGAL searches the optimal box by evolution; ours must never be more than 1 % larger.
+// CGAL searches the optimal box by evolution; ours is hardly ever larger, never by more than 1 %, and as small on
+// average.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/optimal_bounding_box.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <random>
 
 #include "shape/oriented_box.h"
@@ -21,19 +23,43 @@ double cgal_volume(const std::vector<Vec3>& points) {
     return edge(1) * edge(3) * edge(5);
 }
 
-TEST(SmallestBox, IsAtMostOnePercentLargerThanTheOptimum) {
+/// Clouds, points on a sphere, boxes with some points astray, and round sticks; stretched and turned.
+std::vector<Vec3> random_points(std::mt19937& random, int kind, int count) {
+    std::normal_distribution<double> normal;
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    const Vec3 shape(1, std::exp(normal(random)), std::exp(normal(random)));
+    const Eigen::Matrix3d turn = Eigen::Quaterniond(normal(random), normal(random), normal(random), normal(random))
+                                     .normalized()
+                                     .toRotationMatrix();
+    const auto sign = [&] { return uniform(random) > 0 ? 1.0 : -1.0; };
+    std::vector<Vec3> points;
+    for (int k = 0; k < count; ++k) {
+        Vec3 p(normal(random), normal(random), normal(random));
+        if (kind == 1) p.normalize();
+        if (kind == 2) p = Vec3(k % 3 == 0 ? uniform(random) : sign(), sign(), sign());
+        if (kind == 3) p = Vec3(std::cos(3.1416 * uniform(random)), std::sin(3.1416 * uniform(random)), sign());
+        points.emplace_back(turn * p.cwiseProduct(shape));
+    }
+    return points;
+}
+
+TEST(SmallestBox, IsAsSmallAsTheOptimum) {
     constexpr unsigned seed = 17;
     SCOPED_TRACE(seed);
     std::mt19937 random(seed);
-    std::normal_distribution<double> normal;
-    for (const int count : {4, 5, 6, 8, 12, 20, 50, 200, 1000, 5000})
-        for (int round = 0; round < 6; ++round) {
-            const Vec3 shape(1, std::exp(normal(random)), std::exp(normal(random)));
-            std::vector<Vec3> points;
-            for (int k = 0; k < count; ++k)
-                points.emplace_back(shape.x() * normal(random), shape.y() * normal(random), shape.z() * normal(random));
-            EXPECT_LE(smallest_box(points).volume(), 1.01 * cgal_volume(points)) << count << " points, round " << round;
+    int sets = 0, larger = 0;
+    double excess = 0;
+    for (const int count : {5, 8, 12, 20, 50, 200, 1000})
+        for (int round = 0; round < 8; ++round) {
+            const std::vector<Vec3> points = random_points(random, round % 4, count);
+            const double ratio = smallest_box(points).volume() / cgal_volume(points);
+            EXPECT_LE(ratio, 1.01) << count << " points, round " << round;
+            larger += ratio > 1.0001;
+            excess += ratio - 1;
+            ++sets;
         }
+    EXPECT_LE(larger, sets / 12) << "larger than CGAL's by more than 0.01 %, of " << sets;
+    EXPECT_LE(excess / sets, 2e-4) << "mean";
 }
 
 }  // namespace
