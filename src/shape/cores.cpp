@@ -21,7 +21,7 @@
 //
 // Departures from paper §6.4: no seeds by ascending thickness and no planes that are refitted, since neither bent
 // boards nor round sticks have planes; tried first were region growing from seeds (depends on the order of faces) and
-// thickness bands without looking around (glues posts to backrests). Cost: O(n) and at most 700 x 16 rays beyond the
+// thickness bands without looking around (glues posts to backrests). Cost: O(n) and at most 1,000 x 16 rays beyond the
 // one per triangle.
 
 #include "shape/cores.h"
@@ -78,7 +78,7 @@ constexpr double cell_area = 0.2;                           // of thickness squa
 constexpr double least_agreement = 0.75;                    // of directions around a cell, unless sticks meet there
 constexpr double fewest_cells = 24;
 constexpr double triangles_a_cell = 25;  // on average, but at least and at most so many cells in all:
-constexpr double least_cells = 100, most_cells = 700;
+constexpr double least_cells = 100, most_cells = 1000;
 constexpr double odd_thickness = 1.8;
 constexpr double least_share = 1e-3;  // of the whole surface: less is no part
 
@@ -234,6 +234,17 @@ public:
     }
 
 private:
+    [[nodiscard]] std::int32_t nearest_seed(std::int32_t i) const {
+        const auto distance = [&](std::int32_t seed) {
+            return (s_.geometry.barycentres[seed] - s_.geometry.barycentres[i]).squaredNorm();
+        };
+        const auto nearest = std::min_element(
+            seeds_.begin(), seeds_.end(), [&](std::int32_t a, std::int32_t b) { return distance(a) < distance(b); });
+        return static_cast<std::int32_t>(nearest - seeds_.begin());
+    }
+
+    /// Every triangle goes to the seed that reaches it first, over edges, then through the thickness; islands without a
+    /// seed go to the nearest one.
     void spread(const Core& component) {
         for (const std::int32_t i : component.triangles) cell_of_[i] = -2;
         std::vector<std::int32_t> queue;
@@ -255,9 +266,12 @@ private:
             for (const std::int32_t j : s_.adjacency.neighbours[queue[at]]) visit(queue[at], j);
         for (std::size_t at = 0; at < queue.size(); ++at) visit(queue[at], s_.thickness.opposites[queue[at]]);
         for (const std::int32_t i : component.triangles) {
-            if (cell_of_[i] < 0) {
-                const std::int32_t o = s_.thickness.opposites[i];
-                cell_of_[i] = o >= 0 && cell_of_[o] >= 0 ? cell_of_[o] : 0;
+            if (cell_of_[i] >= 0) continue;
+            cell_of_[i] = nearest_seed(i);
+            queue.assign(1, i);
+            for (std::size_t at = 0; at < queue.size(); ++at) {
+                for (const std::int32_t j : s_.adjacency.neighbours[queue[at]]) visit(queue[at], j);
+                visit(queue[at], s_.thickness.opposites[queue[at]]);
             }
         }
         std::vector<std::pair<std::int32_t, std::int32_t>> pairs;
