@@ -2,6 +2,7 @@
 // average.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Random.h>
 #include <CGAL/optimal_bounding_box.h>
 #include <gtest/gtest.h>
 
@@ -18,6 +19,7 @@ double cgal_volume(const std::vector<Vec3>& points) {
     std::vector<Kernel::Point_3> copies;
     for (const Vec3& p : points) copies.emplace_back(p.x(), p.y(), p.z());
     std::array<Kernel::Point_3, 8> box;
+    CGAL::get_default_random() = CGAL::Random(1);  // else it starts from the clock
     CGAL::oriented_bounding_box(copies, box);
     const auto edge = [&](std::size_t to) { return std::sqrt(CGAL::squared_distance(box[0], box[to])); };
     return edge(1) * edge(3) * edge(5);
