@@ -287,7 +287,8 @@ Annotation annotate(const Domain& domain, const Catalogue& catalogue, const Obje
     annotation.questions = {{"SF", session.find_all_count},
                             {"SI", session.is_a_count},
                             {"T", session.related_count},
-                            {"TF", session.find_related_count}};
+                            {"TF", session.find_related_count},
+                            {"read_off", session.read_off_count}};
     annotation.trace = std::move(session.trace);
     for (const auto& [stage, ms] : object.times) annotation.timings_ms.emplace_back("find parts: " + stage, ms);
     const auto ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();

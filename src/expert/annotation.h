@@ -83,7 +83,7 @@ struct Annotation {
     std::vector<std::string> labels;             ///< one per input face: concept, or "-"
     std::vector<int> part_of_face;               ///< one per input face: part id, 0 for none
     std::vector<float> score_of_face;            ///< one per input face
-    std::map<std::string, int> questions;        ///< "SF", "SI", "T", "TF" -> algorithms run
+    std::map<std::string, int> questions;        ///< "SF", "SI", "T", "TF" -> algorithms asked; "read_off"
     std::vector<TraceEntry> trace;
     std::vector<LearnedAnswer> answers;
     bool is_complete = false;                    ///< there are no other parts

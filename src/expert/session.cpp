@@ -92,6 +92,7 @@ void Session::read_off(int region, int variable) {
         if (is_number && *score >= 0.5) break;
     }
     if (scores.empty()) return;
+    ++read_off_count;
     const auto best = std::max_element(scores.begin(), scores.end(),
                                        [](const auto& a, const auto& b) { return a.second < b.second; });
     if (best->second >= 0.5) learn(region, best->first, true, best->second);

@@ -73,6 +73,7 @@ public:
 
     std::vector<TraceEntry> trace;
     int find_all_count = 0, is_a_count = 0, related_count = 0, find_related_count = 0;
+    int read_off_count = 0;  ///< numbers and cost-free ranges that were read off regions, one each, without a question
 
 private:
     struct Candidate {

@@ -16,6 +16,8 @@
 #include <limits>
 #include <numbers>
 
+#include "base/ranges.h"
+
 namespace partonomy {
 namespace {
 
@@ -159,23 +161,31 @@ double goodness(const std::vector<SurfacePoint>& points, Camera camera, std::siz
 
 }  // namespace
 
-Camera choose_view(const PlacedMesh& mesh, const Annotation& annotation, const Vec3& up, const Frame& frame) {
+Camera choose_view(const PlacedMesh& mesh, const Annotation& annotation, const Vec3& up, const Frame& frame,
+                   int threads) {
     constexpr int point_count = 4096;
     const Vec3 top = up.stableNormalized();
     const Vec3 first = any_horizontal(top), second = top.cross(first);
     const Sides sides = find_sides(mesh, top, first, second);
     const std::vector<SurfacePoint> points = spread_points(mesh, annotation, point_count);
-    Camera best;
-    double best_goodness = -1;
-    for (int i = 0; i < 8; ++i) {
-        const double angle = sides.angle - 90 * degree + (i / 2) * 90 * degree + (i % 2 == 0 ? azimuth : -azimuth);
-        const Camera camera = look_from(top, std::cos(angle) * first + std::sin(angle) * second);
-        const double tall_in_front = (sides.tall_end * std::polar(1.0, -angle)).real();
-        const double value = goodness(points, camera, annotation.parts.size()) * (1 - 0.25 * tall_in_front);
-        if (value <= best_goodness * 1.02) continue;  // a small gain may be chance
-        best = camera;
-        best_goodness = value;
-    }
+    std::array<Camera, 8> cameras;
+    std::array<double, 8> values{};
+    for_each_range(
+        cameras.size(), threads,
+        [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i) {
+                const double side = static_cast<double>(i / 2) * 90 * degree;
+                const double angle = sides.angle - 90 * degree + side + (i % 2 == 0 ? azimuth : -azimuth);
+                cameras[i] = look_from(top, std::cos(angle) * first + std::sin(angle) * second);
+                const double tall_in_front = (sides.tall_end * std::polar(1.0, -angle)).real();
+                values[i] = goodness(points, cameras[i], annotation.parts.size()) * (1 - 0.25 * tall_in_front);
+            }
+        },
+        4);
+    std::size_t chosen = 0;
+    for (std::size_t i = 1; i < cameras.size(); ++i)
+        if (values[i] > values[chosen] * 1.02) chosen = i;  // a small gain may be chance
+    Camera best = cameras[chosen];
     View view;
     for (std::size_t t = 0; t < mesh.triangle_count(); ++t)
         for (std::size_t i = 0; i < 3; ++i) {

@@ -9,6 +9,6 @@ namespace partonomy {
 /// frame. The same side of the object is chosen when it is turned about `up` (save where several sides are equally
 /// good).
 [[nodiscard]] Camera choose_view(const PlacedMesh& mesh, const Annotation& annotation, const Vec3& up,
-                                 const Frame& frame);
+                                 const Frame& frame, int threads = 1);
 
 }  // namespace partonomy

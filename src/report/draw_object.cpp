@@ -229,7 +229,7 @@ void draw_object(Canvas& canvas, const Frame& frame, const TriangleMesh& mesh, c
     if (mesh.triangles.empty() || frame.width < 4 || frame.height < 4) return;
     const PlacedMesh placed(mesh);
     const Frame inner{frame.left + 1, frame.top + 1, frame.width - 2, frame.height - 2};  // room for the line around it
-    const Camera camera = choose_view(placed, viewed, up, inner);
+    const Camera camera = choose_view(placed, viewed, up, inner, options.threads);
     const Scene scene(mesh, placed, annotation, camera, up.stableNormalized(), frame);
     for_each_range(
         scene.bands.size(), options.threads,

@@ -61,7 +61,7 @@ TEST(Annotate, BenchEndToEnd) {
         faces += part.at("faces").get<std::int64_t>();
     }
     EXPECT_EQ(faces, 36);
-    for (const char* key : {"SF", "SI", "T", "TF"}) EXPECT_TRUE(annotation.at("questions").contains(key)) << key;
+    for (const char* key : {"SF", "SI", "T", "TF", "read_off"}) EXPECT_TRUE(annotation.at("questions").contains(key)) << key;
     ASSERT_FALSE(annotation.at("trace").empty());
     for (const json& entry : annotation.at("trace"))
         for (const char* key : {"question", "region", "answer", "score", "inferred", "ms"})
