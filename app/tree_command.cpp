@@ -27,7 +27,7 @@ constexpr Format formats[]{{".json", knowledge::to_json},
 
 struct Arguments {
     OntologyArguments ontology;
-    std::string output, criterion = "dichotomy", concept_name;
+    std::string output, criterion = "gain-per-cost", concept_name;
     std::size_t nodes = 10'000, depth = 0;
     bool every_configuration = false;
 };

@@ -77,7 +77,7 @@ Vec3 parse_up(const std::string& word) {
         {"y", Vec3::UnitY()}, {"+y", Vec3::UnitY()}, {"-y", -Vec3::UnitY()},
         {"z", Vec3::UnitZ()}, {"+z", Vec3::UnitZ()}, {"-z", -Vec3::UnitZ()}};
     const auto found = words.find(word);
-    if (found == words.end()) throw UsageError("--up " + word + ": unknown axis, use x, -x, y, -y, z or -z");
+    if (found == words.end()) throw UsageError("--up " + word + ": unknown axis, use x, -x, y, -y, z, -z or auto");
     return found->second;
 }
 

@@ -1,7 +1,9 @@
-// Imports, resolved offline: the built-in core, the catalog beside the importing file, then files in its folder and in
-// the import folders whose ontology IRI (else version IRI) is the one imported. Those are found by content: a file is
-// read only when its bytes hold the IRI, or at least the IRI's last word and what stands before it, since prefixes and
-// entities may split it. A file that cannot be read is no candidate; a file that is imported and broken is an error.
+// Imports, resolved offline: the catalog beside the importing file, then files in its folder and in the import folders
+// whose ontology IRI (else version IRI) is the one imported. Core is built in; only a catalog or an import folder can
+// put another file in its place, not a file that happens to lie beside the importing one. Those are found by content: a
+// file is read only when its bytes hold the IRI, or at least the IRI's last word and what stands before it, since
+// prefixes and entities may split it. A file that cannot be read is no candidate; a file that is imported and broken is
+// an error.
 
 #include "owl/imports.h"
 
@@ -100,7 +102,7 @@ std::optional<Importer::Found> Importer::search_folder(const fs::path& folder, c
 }
 
 std::optional<Importer::Found> Importer::resolve(const Iri& iri, long line, const Open& importer) {
-    if (iri == core_iri) return Found{read_document(core_ontology_text(), built_in_name), std::nullopt};
+    const bool is_core = iri == core_iri;
     if (importer.folder) {
         std::optional<fs::path> file = look_up_catalog(*importer.folder, iri);
         if (!file) file = look_up_catalog(*importer.folder, iri + "#");
@@ -109,7 +111,8 @@ std::optional<Importer::Found> Importer::resolve(const Iri& iri, long line, cons
             const fs::path folder = file->has_parent_path() ? file->parent_path() : fs::path(".");
             return Found{read_document(read_file(*file), file->string()), folder};
         }
-        if (std::optional<Found> found = search_folder(*importer.folder, iri)) return found;
+        if (!is_core)
+            if (std::optional<Found> found = search_folder(*importer.folder, iri)) return found;
     }
     for (const fs::path& folder : import_folders_) {
         std::error_code error;
@@ -118,6 +121,7 @@ std::optional<Importer::Found> Importer::resolve(const Iri& iri, long line, cons
         }
         if (std::optional<Found> found = search_folder(folder, iri)) return found;
     }
+    if (is_core) return Found{read_document(core_ontology_text(), built_in_name), std::nullopt};
     throw OntologyError(
         at(importer.graph.file, line,
            "the imported ontology <" + iri + "> cannot be found, and nothing is fetched from the network; " +

@@ -211,9 +211,9 @@ struct LoadOptions {
 };
 
 /// Reads an ontology in Turtle, N-Triples, RDF/XML, OWL/XML, functional or Manchester syntax, recognised by content,
-/// with its imports, which are resolved offline only: the core ontology built into the program, catalog-v001.xml beside
-/// the file, then files in the file's folder and in `import_folders` whose ontology IRI (or version IRI) is the one
-/// imported. Cycles are fine. Throws FileError; OntologyError with file and line: syntax, import not found, a statement
+/// with its imports, which are resolved offline only: catalog-v001.xml beside the file, then files in the file's folder
+/// and in `import_folders` whose ontology IRI (or version IRI) is the one imported. The core ontology is built in; only
+/// the catalog and `import_folders` can put another file in its place. Cycles are fine. Throws FileError; OntologyError with file and line: syntax, import not found, a statement
 /// that is no OWL 2.
 [[nodiscard]] Ontology load_ontology(const std::filesystem::path& path, const LoadOptions& options = {});
 

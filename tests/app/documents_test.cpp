@@ -78,6 +78,18 @@ TEST(Documents, TableOfStrategiesIsMeasured) {
     EXPECT_EQ(rows, 5);
 }
 
+TEST(Documents, SizesOfTheTreesAreMeasured) {
+    const std::string text = read_file(project / "docs/decision-tree.md");
+    for (const char* criterion : {"dichotomy", "gain-per-cost"}) {
+        std::smatch said;
+        ASSERT_TRUE(std::regex_search(
+            text, said, std::regex(std::string(criterion) + R"( tree [0-9.]+ ms \((\d+ nodes, depth \d+)\))")))
+            << criterion;
+        const ProgramResult tree = run_partonomy({"tree", furniture_path(), "--criterion", criterion}, project);
+        EXPECT_NE((tree.out + tree.err).find(said[1].str()), std::string::npos) << criterion << ": " << tree.err;
+    }
+}
+
 TEST(Documents, ReadmeShowsTheTwoCommands) {
     const std::string readme = read_file(project / "README.md");
     EXPECT_NE(readme.find("./dev demo"), std::string::npos);

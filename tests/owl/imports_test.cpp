@@ -64,6 +64,28 @@ TEST_F(Imports, CoreIsBuiltIn) {
     EXPECT_EQ(parse_ontology(header + core_iri + "> , <" + core_prefix + "> .", "o.ttl").imports.size(), 1U);
 }
 
+TEST_F(Imports, AnEditedCoreTakesThePlaceOfTheBuiltInOne) {
+    const std::string edited = std::string(core_ontology_text()) + "\ncore:Edited a owl:Class .\n";
+    const std::string importing =
+        "@prefix owl: <http://www.w3.org/2002/07/owl#> . <http://e/o> a owl:Ontology ; owl:imports <" +
+        std::string(core_iri) + "> .";
+    write("o.ttl", importing);
+    write("core.ttl", edited);
+    write("deep/core.ttl", edited);
+    const auto has_edited = [&](const Ontology& ontology) {
+        return ontology.find(std::string(core_prefix) + "Edited", EntityKind::klass) != nullptr;
+    };
+    EXPECT_FALSE(has_edited(load_ontology(folder / "o.ttl"))) << "a file that merely lies beside is not taken";
+    LoadOptions options;
+    options.import_folders = {folder / "deep"};
+    EXPECT_TRUE(has_edited(load_ontology(folder / "o.ttl", options)));
+    write("catalog-v001.xml", "<catalog xmlns=\"urn:oasis:names:tc:entity:xmlns:xml:catalog\"><uri id=\"c\" name=\"" +
+                                  std::string(core_iri) + "\" uri=\"core.ttl\"/></catalog>\n");
+    EXPECT_TRUE(has_edited(load_ontology(folder / "o.ttl")));
+    fs::remove(folder / "core.ttl");
+    EXPECT_FALSE(has_edited(load_ontology(folder / "o.ttl"))) << "an entry whose file is gone is passed over";
+}
+
 TEST_F(Imports, CoreItselfIsReadOnce) {
     const Ontology alone = load_ontology(PARTONOMY_SOURCE_DIR "/ontologies/core.ttl");
     EXPECT_EQ(alone.iri, core_iri);
@@ -121,16 +143,20 @@ TEST_F(Imports, CatalogComesFirst) {
 }
 
 TEST_F(Imports, AnySyntaxImportsAnyOther) {
-    write("a.ofn", "Prefix(:=<http://e/>) Ontology(<http://e/a> Import(<http://e/b>) Declaration(Class(:A)) "
-                   "SubClassOf(:A ObjectSomeValuesFrom(:p :B)))");
-    write("b.omn", "Prefix: : <http://e/>\nOntology: <http://e/b>\nImport: <http://e/c>\nClass: B\n"
-                   "    SubClassOf: size some Length\nObjectProperty: p\n");
-    write("c.owl", "<Ontology xmlns=\"http://www.w3.org/2002/07/owl#\" xml:base=\"http://e/\" ontologyIRI=\"http://e/c\">"
-                   "<Import>http://e/d</Import><Declaration><DataProperty IRI=\"size\"/></Declaration></Ontology>");
-    write("d.xml", "<rdf:RDF xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\" "
-                   "xmlns:owl=\"http://www.w3.org/2002/07/owl#\" xmlns:rdfs=\"http://www.w3.org/2000/01/rdf-schema#\">"
-                   "<owl:Ontology rdf:about=\"http://e/d\"><owl:imports rdf:resource=\"http://e/a\"/></owl:Ontology>"
-                   "<rdfs:Datatype rdf:about=\"http://e/Length\"/></rdf:RDF>");
+    write("a.ofn",
+          "Prefix(:=<http://e/>) Ontology(<http://e/a> Import(<http://e/b>) Declaration(Class(:A)) "
+          "SubClassOf(:A ObjectSomeValuesFrom(:p :B)))");
+    write("b.omn",
+          "Prefix: : <http://e/>\nOntology: <http://e/b>\nImport: <http://e/c>\nClass: B\n"
+          "    SubClassOf: size some Length\nObjectProperty: p\n");
+    write("c.owl",
+          "<Ontology xmlns=\"http://www.w3.org/2002/07/owl#\" xml:base=\"http://e/\" ontologyIRI=\"http://e/c\">"
+          "<Import>http://e/d</Import><Declaration><DataProperty IRI=\"size\"/></Declaration></Ontology>");
+    write("d.xml",
+          "<rdf:RDF xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\" "
+          "xmlns:owl=\"http://www.w3.org/2002/07/owl#\" xmlns:rdfs=\"http://www.w3.org/2000/01/rdf-schema#\">"
+          "<owl:Ontology rdf:about=\"http://e/d\"><owl:imports rdf:resource=\"http://e/a\"/></owl:Ontology>"
+          "<rdfs:Datatype rdf:about=\"http://e/Length\"/></rdf:RDF>");
     for (const char* name : {"a.ofn", "b.omn", "c.owl", "d.xml"}) {  // a cycle: each of them reaches all
         const Ontology ontology = load_ontology(folder / name);
         EXPECT_EQ(ontology.imports.size(), 3U) << name;
