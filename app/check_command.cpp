@@ -163,7 +163,8 @@ int run_check(const Arguments& arguments) {
         fmt::print("{}\n", as_json(checked, wrong > 0).dump(2));
         return wrong > 0 ? bad_input : recognised;
     }
-    fmt::print("{}: {} axioms\n", checked.ontology.iri, checked.ontology.axioms.size());
+    fmt::print("{}: {} axioms\n", checked.ontology.iri.empty() ? arguments.ontology.path : checked.ontology.iri,
+               checked.ontology.axioms.size());
     if (checked.domain) {
         print_space("S1, parts", checked.domain->regions);
         for (const knowledge::CompositeSpace& composite : checked.domain->composites)

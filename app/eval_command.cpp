@@ -156,11 +156,15 @@ int run_eval(const Arguments& arguments) {
     std::map<std::string, std::map<std::string, double>> confusion;  // mean over the meshes
     Worst worst(arguments.worst);
     const std::vector<fs::path> folders = annotated_folders(arguments.run_folder);
-    if (!arguments.json)
+    bool has_head = arguments.json;
+    const auto print_head = [&] {
+        if (std::exchange(has_head, true)) return;
         fmt::print("{:<24} {:>9} {:>9} {:>9} {:>9}  {}\n", "mesh", "area acc.", "face acc.", "Rand err.", "border F",
                    "IoU by label");
+    };
     for (const fs::path& folder : folders) {
         Compared compared = compare(arguments, folder);
+        print_head();
         const auto& [result, boundaries, entry] = compared;
         mean += result.area_accuracy / static_cast<double>(folders.size());
         for (const auto& [truth, row] : result.confusion)

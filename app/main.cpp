@@ -1,12 +1,16 @@
 #include <malloc.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <string>
+#include <vector>
 
 #include "app/commands.h"
 #include "base/errors.h"
+#include "base/spelling.h"
 #include "knowledge/domain.h"
 
 namespace partonomy::app {
@@ -33,6 +37,57 @@ knowledge::CompileOptions OntologyArguments::compile_options() const {
     options.diagram = limits;
     options.diagram.memory_limit = diagram_mb << 20;
     return options;
+}
+
+namespace {
+
+/// The candidate that a word was most likely meant to be; empty when none is near.
+std::string nearest(const std::string& word, const std::vector<std::string>& candidates) {
+    std::string best;
+    std::size_t least = 1 + word.size() / 3;
+    for (const std::string& candidate : candidates)
+        if (const std::size_t distance = edit_distance(word, candidate); distance < least) {
+            least = distance;
+            best = candidate;
+        }
+    return best;
+}
+
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates) {
+    const std::string meant = nearest(word, candidates);
+    return meant.empty() ? "" : "; did you mean " + meant + "?";
+}
+
+/// What was mistyped: an unknown command, or an unknown option of a known one. Empty when neither.
+std::string slip(const CLI::App& app, const std::vector<std::string>& words) {
+    std::vector<std::string> commands;
+    const CLI::App* chosen = nullptr;
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+        commands.push_back(command->get_name());
+        if (!words.empty() && command->get_name() == words.front()) chosen = command;
+    }
+    if (words.empty() || words.front().starts_with('-')) return {};
+    if (chosen == nullptr) return "\"" + words.front() + "\" is no command" + did_you_mean(words.front(), commands);
+    std::vector<std::string> options;
+    for (const CLI::Option* option : chosen->get_options())
+        for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
+    for (const std::string& word : words) {
+        const std::string name = word.substr(0, word.find('='));
+        if (name.starts_with("--") && name != "--" && std::ranges::find(options, name) == options.end())
+            return "\"" + name + "\" is no option of " + words.front() + did_you_mean(name, options);
+    }
+    return {};
+}
+
+}  // namespace
+
+/// A sentence about a command line that cannot be read, and where help is.
+std::string explain_usage(const CLI::App& app, const std::vector<std::string>& words, const std::string& error) {
+    const std::string mistyped = slip(app, words);
+    const auto known = app.get_subcommands(
+        [&](const CLI::App* command) { return !words.empty() && command->get_name() == words.front(); });
+    return (mistyped.empty() ? error : mistyped) + (mistyped.ends_with('?') ? " See" : "; see") + " partonomy " +
+           (known.empty() ? "" : words.front() + " ") + "--help";
 }
 
 }  // namespace partonomy::app
@@ -66,7 +121,8 @@ int main(int argc, char** argv) {
     } catch (const CLI::Success& asked_for_help) {
         return app.exit(asked_for_help);
     } catch (const CLI::Error& error) {
-        std::fprintf(stderr, "partonomy: %s; see partonomy --help\n", error.what());
+        const std::string sentence = explain_usage(app, {argv + 1, argv + argc}, error.what());
+        std::fprintf(stderr, "partonomy: %s\n", sentence.c_str());
     } catch (const partonomy::Error& error) {
         std::fprintf(stderr, "partonomy: %s\n", error.what());
     } catch (const std::bad_alloc&) {
