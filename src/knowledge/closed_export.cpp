@@ -8,6 +8,7 @@
 #include "base/errors.h"
 #include "knowledge/closed_world.h"
 #include "knowledge/data_cells.h"
+#include "owl/make_class.h"
 #include "owl/words.h"
 
 namespace partonomy::knowledge {
@@ -91,12 +92,10 @@ void close_property(const ClosedWorld::Known& known, bool inverse, owl::Ontology
         result.axioms.push_back(std::move(axiom));
     }
     if (others.empty()) return;
-    auto nothing = std::make_shared<ClassExpression>();
-    nothing->iri = std::string(owl::owl_prefix) + "Nothing";
     auto none = std::make_shared<ClassExpression>();
     none->kind = owl::ClassKind::all_values_from;
     none->property = {known.property, inverse};
-    none->operands = {nothing};
+    none->operands = {owl::named_class(std::string(owl::owl_prefix) + "Nothing")};
     owl::Axiom axiom{};
     axiom.kind = owl::AxiomKind::sub_class_of;
     axiom.classes = {one_of(std::move(others)), none};
@@ -128,12 +127,9 @@ owl::Ontology closed_ontology(const ClosedWorld& world) {
         }
 
     const ClassPointer all = one_of({everybody.begin(), everybody.end()});
-    auto thing = std::make_shared<ClassExpression>();
-    thing->kind = owl::ClassKind::named;
-    thing->iri = std::string(owl::owl_prefix) + "Thing";
     owl::Axiom closure{};
     closure.kind = owl::AxiomKind::equivalent_classes;
-    closure.classes = {thing, all};
+    closure.classes = {owl::thing(), all};
     result.axioms.push_back(std::move(closure));
 
     for (const ClosedWorld::Known& known : world.known)

@@ -7,6 +7,7 @@
 
 #include "base/errors.h"
 #include "knowledge/closed_grounder.h"
+#include "owl/make_class.h"
 #include "owl/words.h"
 
 namespace partonomy::knowledge {
@@ -29,13 +30,6 @@ void add_individuals(const owl::Rule& rule, std::set<Iri>& names) {
                 if (term.kind == owl::RuleTerm::Kind::individual) names.insert(term.iri);
         }
     }
-}
-
-owl::ClassPointer named(const Iri& iri) {
-    auto expression = std::make_shared<owl::ClassExpression>();
-    expression->kind = owl::ClassKind::named;
-    expression->iri = iri;
-    return expression;
 }
 
 }  // namespace
@@ -99,7 +93,9 @@ int GroundedWorld::is_a(const Iri& individual, const owl::ClassExpression& expre
     }
 }
 
-int GroundedWorld::is_a(const Iri& individual, const Iri& named_class) { return is_a(individual, *named(named_class)); }
+int GroundedWorld::is_a(const Iri& individual, const Iri& named_class) {
+    return is_a(individual, *owl::named_class(named_class));
+}
 
 int GroundedWorld::related(const Iri& subject, const owl::PropertyExpression& property, const Iri& object) {
     Grounder& grounder = machine_->grounder;

@@ -107,7 +107,8 @@ Conclusions conclude_object(const Domain& domain, const Knowledge& knowledge, st
         conclusions.objects = objects_with(grounding, counts_within(conclusions.regions, grounding.regions), possible);
         conclusions.object = conclusions.objects->all();
     }
-    if (reasoner && !is_contradicted) is_contradicted = !reasoner->narrow(conclusions.regions, *conclusions.objects, conclusions.object);
+    if (reasoner && !is_contradicted)
+        is_contradicted = !reasoner->narrow(conclusions.regions, *conclusions.objects, conclusions.object);
     if (is_contradicted) conclusions.object = conclusions.objects->none();
 
     conclusions.contradiction = conclusions.object.is_empty();

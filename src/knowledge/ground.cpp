@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/errors.h"
+#include "owl/make_class.h"
 
 // Grounding is direct, since the domain is finite: a functional feature has exactly one of its values, so `some`,
 // `only` and the cardinalities 0 and 1 all come down to "the value is one of these"; a number lies in exactly one
@@ -253,11 +254,7 @@ FormulaId Grounder::ground_number(const ClassExpression& expression, const Axiom
 }
 
 FormulaId Grounder::ground_parts(const ClassExpression& expression, Level level, const Axiom& axiom) {
-    static const auto anything = [] {
-        auto thing = std::make_shared<ClassExpression>();
-        thing->iri = "http://www.w3.org/2002/07/owl#Thing";
-        return owl::ClassPointer(thing);
-    }();
+    static const owl::ClassPointer anything = owl::thing();
     owl::ClassPointer filler = expression.operands.empty() ? anything : expression.operands[0];
     const Level told = level_of(*filler, levels_, theory_.ranges);
     const Level part_level = told == Level::whole || told == Level::composite ? Level::composite : Level::region;
@@ -266,12 +263,7 @@ FormulaId Grounder::ground_parts(const ClassExpression& expression, Level level,
                "define a concept by these parts, and write its name");
     const bool is_mention = std::exchange(outside_parts_, false);
     if (is_mention && level == Level::composite) mentions_.emplace_back(ground(filler, part_level, axiom), part_level);
-    if (expression.kind == ClassKind::all_values_from) {
-        auto complement = std::make_shared<ClassExpression>();
-        complement->kind = ClassKind::complement_of;
-        complement->operands = {filler};
-        filler = complement;
-    }
+    if (expression.kind == ClassKind::all_values_from) filler = owl::complement_of(filler);
     const FormulaId part = ground(filler, part_level, axiom);
     outside_parts_ = is_mention;
     const auto at_least = [&](unsigned threshold) {

@@ -3,6 +3,7 @@
 #include "base/errors.h"
 #include "knowledge/ground.h"
 #include "knowledge/relations.h"
+#include "owl/make_class.h"
 
 // Restrictions on isTargetRegion and isReferenceRegion become features of a region that hold or not, one for each "at
 // least k nodes pass this test"; the same restriction in two axioms is one feature. What the test says of the linked
@@ -14,13 +15,6 @@ namespace {
 
 using owl::ClassExpression;
 using owl::ClassKind;
-
-owl::ClassPointer make(ClassKind kind, owl::ClassPointer operand) {
-    auto result = std::make_shared<ClassExpression>();
-    result->kind = kind;
-    result->operands = {std::move(operand)};
-    return result;
-}
 
 NodeTest negated(NodeTest test) {
     NodeTest result;
@@ -47,12 +41,8 @@ auto counted(const ClassExpression& expression, const AtLeast& at_least, const a
 }
 
 owl::ClassPointer filler_of(const ClassExpression& expression) {
-    if (expression.operands.empty()) {
-        auto thing = std::make_shared<ClassExpression>();
-        thing->iri = "http://www.w3.org/2002/07/owl#Thing";
-        return thing;
-    }
-    if (expression.kind == ClassKind::all_values_from) return make(ClassKind::complement_of, expression.operands[0]);
+    if (expression.operands.empty()) return owl::thing();
+    if (expression.kind == ClassKind::all_values_from) return owl::complement_of(expression.operands[0]);
     return expression.operands[0];
 }
 

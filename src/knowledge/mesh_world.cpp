@@ -19,6 +19,7 @@
 #include "knowledge/assembly.h"
 #include "knowledge/ground.h"
 #include "knowledge/plain.h"
+#include "owl/make_class.h"
 #include "owl/words.h"
 
 namespace partonomy::knowledge {
@@ -31,27 +32,6 @@ using owl::ClassKind;
 using owl::ClassPointer;
 
 constexpr std::size_t most_things = 16;
-
-ClassPointer named(const Iri& iri) {
-    auto expression = std::make_shared<ClassExpression>();
-    expression->iri = iri;
-    return expression;
-}
-
-ClassPointer complement(const ClassPointer& operand) {
-    auto expression = std::make_shared<ClassExpression>();
-    expression->kind = ClassKind::complement_of;
-    expression->operands = {operand};
-    return expression;
-}
-
-ClassPointer combined(ClassKind kind, std::vector<ClassPointer> operands) {
-    if (operands.size() == 1) return operands[0];
-    auto expression = std::make_shared<ClassExpression>();
-    expression->kind = kind;
-    expression->operands = std::move(operands);
-    return expression;
-}
 
 ClassPointer some(const Iri& property, const ClassPointer& filler) {
     auto expression = std::make_shared<ClassExpression>();
@@ -116,12 +96,13 @@ private:
     /// of whose parts nothing is known.
     [[nodiscard]] ClassPointer within(Level level, const ClassPointer& expression) const {
         if (level <= Level::relation) return expression;
-        if (has_strangers_) return combined(ClassKind::intersection_of, {named(mesh_class()), expression});
+        if (has_strangers_)
+            return owl::combined(ClassKind::intersection_of, {owl::named_class(mesh_class()), expression});
         if (expression->kind == ClassKind::named && !is_thing(expression->iri)) return expression;
         const char* const top = level == Level::region      ? "Region"
                                 : level == Level::composite ? "CompositePart"
                                                             : "Object";
-        return combined(ClassKind::intersection_of, {named(core_term(top)), expression});
+        return owl::combined(ClassKind::intersection_of, {owl::named_class(core_term(top)), expression});
     }
 
     [[nodiscard]] static owl::DataRange doubles(owl::DataRange range) {
@@ -140,9 +121,10 @@ private:
             (expression.property.iri != core_term("isTargetRegion") &&
              expression.property.iri != core_term("isReferenceRegion")))
             return std::nullopt;
-        ClassPointer filler = expression.operands.empty() ? named(std::string(owl::owl_prefix) + "Thing")
-                              : expression.kind == ClassKind::all_values_from ? complement(expression.operands[0])
-                                                                              : expression.operands[0];
+        ClassPointer filler = expression.operands.empty() ? owl::thing()
+                              : expression.kind == ClassKind::all_values_from
+                                  ? owl::complement_of(expression.operands[0])
+                                  : expression.operands[0];
         bool is_known = true;
         const auto at_least = [&](unsigned count) {
             ClassExpression asked;
@@ -151,9 +133,9 @@ private:
             asked.number = count == 1 ? 0 : count;
             asked.operands = {filler};
             const auto found = relational_.find(key_of(asked));
-            if (count == 0) return named(std::string(owl::owl_prefix) + "Thing");
+            if (count == 0) return owl::thing();
             is_known &= found != relational_.end();
-            return found == relational_.end() ? filler : named(relation_class(found->second));
+            return found == relational_.end() ? filler : owl::named_class(relation_class(found->second));
         };
         ClassPointer result;
         switch (expression.kind) {
@@ -161,17 +143,18 @@ private:
                 result = at_least(1);
                 break;
             case ClassKind::all_values_from:
-                result = complement(at_least(1));
+                result = owl::complement_of(at_least(1));
                 break;
             case ClassKind::min_cardinality:
                 result = at_least(expression.number);
                 break;
             case ClassKind::max_cardinality:
-                result = complement(at_least(expression.number + 1));
+                result = owl::complement_of(at_least(expression.number + 1));
                 break;
             case ClassKind::exact_cardinality:
-                result = combined(ClassKind::intersection_of,
-                                  {at_least(expression.number), complement(at_least(expression.number + 1))});
+                result =
+                    owl::combined(ClassKind::intersection_of,
+                                  {at_least(expression.number), owl::complement_of(at_least(expression.number + 1))});
                 break;
             default:
                 return std::nullopt;
@@ -201,10 +184,11 @@ public:
         result_.first_answer = axioms().size();
         for (const Answer& answer : knowledge.answers) {
             const ClassPointer said = rewrite_(in_words(answer.question));
-            is_a(result_.regions[static_cast<std::size_t>(answer.region)], answer.yes ? said : complement(said));
+            is_a(result_.regions[static_cast<std::size_t>(answer.region)],
+                 answer.yes ? said : owl::complement_of(said));
         }
         declare(mesh_class(), owl::EntityKind::klass);
-        for (const Iri& iri : std::vector(result_.world.individuals)) is_a(iri, named(mesh_class()));
+        for (const Iri& iri : std::vector(result_.world.individuals)) is_a(iri, owl::named_class(mesh_class()));
         tell_parts(composites);
         for (const RangeConcept& range : domain.ranges) tell_feature(range);
         for (const MeasuredProperty& number : domain.numbers) {
@@ -268,10 +252,10 @@ private:
         ClassPointer said = variable.part_class;
         if (variable.kind == VariableKind::range) {
             const RangeConcept& range = domain_.ranges[static_cast<std::size_t>(variable.index)];
-            if (value < range.values.size()) return some(range.property, named(range.values[value].iri));
+            if (value < range.values.size()) return some(range.property, owl::named_class(range.values[value].iri));
             std::vector<ClassPointer> others;
-            for (const ElementaryConcept& each : range.values) others.push_back(named(each.iri));
-            return complement(some(range.property, combined(ClassKind::union_of, std::move(others))));
+            for (const ElementaryConcept& each : range.values) others.push_back(owl::named_class(each.iri));
+            return owl::complement_of(some(range.property, owl::combined(ClassKind::union_of, std::move(others))));
         }
         if (variable.kind == VariableKind::number) {
             const MeasuredProperty& number = domain_.numbers[static_cast<std::size_t>(variable.index)];
@@ -286,14 +270,14 @@ private:
                                         {number_text(interval.high), xsd + "double", {}}}};
             return up_to;
         }
-        if (variable.kind == VariableKind::primitive) said = named(variable.iri);
-        return value == 0 ? said : complement(said);
+        if (variable.kind == VariableKind::primitive) said = owl::named_class(variable.iri);
+        return value == 0 ? said : owl::complement_of(said);
     }
 
     void tell_parts(const std::vector<CompositePart>& composites) {
-        is_a(result_.object, named(core_term("Object")));
-        for (const Iri& region : result_.regions) is_a(region, named(core_term("Region")));
-        for (const Iri& composite : result_.composites) is_a(composite, named(core_term("CompositePart")));
+        is_a(result_.object, owl::named_class(core_term("Object")));
+        for (const Iri& region : result_.regions) is_a(region, owl::named_class(core_term("Region")));
+        for (const Iri& composite : result_.composites) is_a(composite, owl::named_class(core_term("CompositePart")));
         const Iri has_part = core_term("hasPart");
         result_.world.known.push_back({has_part, {}, {}});
         for (const Iri& region : result_.regions) relate(result_.object, has_part, region);
@@ -314,13 +298,13 @@ private:
         for (const Iri& region : result_.regions) {
             const Iri value = add(owl::local_name(region) + "." + name);
             values_.push_back(value);
-            is_a(value, named(range.iri));
+            is_a(value, owl::named_class(range.iri));
             relate(region, range.property, value);
         }
         if (range.values.size() < 2) return;
         Axiom disjoint{};
         disjoint.kind = AxiomKind::disjoint_classes;
-        for (const ElementaryConcept& value : range.values) disjoint.classes.push_back(named(value.iri));
+        for (const ElementaryConcept& value : range.values) disjoint.classes.push_back(owl::named_class(value.iri));
         if (!range.covered || std::ranges::any_of(range.values, [&](const ElementaryConcept& value) {
                 return domain_.ontology.find(value.iri, owl::EntityKind::klass) == nullptr;
             }))
@@ -350,9 +334,10 @@ private:
         const std::size_t count = things_wanted();
         std::vector<ClassPointer> parts_of_a_mesh;
         for (const char* term : {"Object", "Region", "CompositePart", "Feature"})
-            parts_of_a_mesh.push_back(named(core_term(term)));
-        const ClassPointer part_of_a_mesh = combined(ClassKind::union_of, std::move(parts_of_a_mesh));
-        for (std::size_t i = 0; i < count; ++i) is_a(add("thing" + std::to_string(i + 1)), complement(part_of_a_mesh));
+            parts_of_a_mesh.push_back(owl::named_class(core_term(term)));
+        const ClassPointer part_of_a_mesh = owl::combined(ClassKind::union_of, std::move(parts_of_a_mesh));
+        for (std::size_t i = 0; i < count; ++i)
+            is_a(add("thing" + std::to_string(i + 1)), owl::complement_of(part_of_a_mesh));
     }
 
     /// Nothing leads to a value of a feature, or from it, but what an axiom may lead there: properties above those of

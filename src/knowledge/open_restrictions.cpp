@@ -13,6 +13,7 @@
 
 #include "base/errors.h"
 #include "knowledge/ground.h"
+#include "owl/make_class.h"
 
 namespace partonomy::knowledge {
 namespace {
@@ -22,13 +23,6 @@ using owl::AxiomKind;
 using owl::ClassExpression;
 using owl::ClassKind;
 using owl::PropertyExpression;
-
-owl::ClassPointer complement_of(const owl::ClassPointer& operand) {
-    auto result = std::make_shared<ClassExpression>();
-    result->kind = ClassKind::complement_of;
-    result->operands = {operand};
-    return result;
-}
 
 owl::DataRange complement_of(const owl::DataRange& operand) {
     owl::DataRange result;
@@ -81,9 +75,7 @@ FormulaId Grounder::open(const ClassExpression& expression, Level level, const A
     if (expression.number == UINT32_MAX) refuse(axiom, "the cardinality is too large", "write a smaller one");
     ClassExpression restriction = expression;
     if (restriction.operands.empty() && expression.kind >= ClassKind::min_cardinality && !is_data(expression.kind)) {
-        auto thing = std::make_shared<ClassExpression>();
-        thing->iri = "http://www.w3.org/2002/07/owl#Thing";
-        restriction.operands = {thing};
+        restriction.operands = {owl::thing()};
     }
     const auto counted = [&](unsigned count) {
         return count == 0 ? 0 : open_atom(at_least(restriction, count), level, axiom);

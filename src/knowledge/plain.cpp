@@ -11,6 +11,7 @@
 #include <set>
 
 #include "knowledge/theory.h"
+#include "owl/make_class.h"
 
 namespace partonomy::knowledge {
 namespace {
@@ -21,12 +22,6 @@ using owl::ClassExpression;
 using owl::ClassKind;
 using owl::ClassPointer;
 using owl::PropertyExpression;
-
-ClassPointer named(const Iri& iri) {
-    auto expression = std::make_shared<ClassExpression>();
-    expression->iri = iri;
-    return expression;
-}
 
 class PropertyNames {
 public:
@@ -88,7 +83,7 @@ public:
         for (PropertyExpression& property : axiom.properties) property = names_(property);
         if (axiom.kind == AxiomKind::class_assertion && values_.contains(axiom.individuals[0])) {
             axiom.kind = AxiomKind::sub_class_of;
-            axiom.classes = {named(axiom.individuals[0]), axiom.classes[0]};
+            axiom.classes = {owl::named_class(axiom.individuals[0]), axiom.classes[0]};
             axiom.individuals.clear();
         }
         if (!axiom.properties.empty() && axiom.properties[0].inverse) turn_round(axiom);
@@ -168,13 +163,13 @@ private:
             std::ranges::all_of(result.individuals, [&](const Iri& iri) { return values_.contains(iri); });
         if (are_values && result.kind == ClassKind::has_value) {
             result.kind = ClassKind::some_values_from;
-            result.operands = {named(result.individuals[0])};
+            result.operands = {owl::named_class(result.individuals[0])};
             result.individuals.clear();
             is_new = true;
         } else if (are_values && result.kind == ClassKind::one_of) {
-            if (result.individuals.size() == 1) return named(result.individuals[0]);
+            if (result.individuals.size() == 1) return owl::named_class(result.individuals[0]);
             result.kind = ClassKind::union_of;
-            for (const Iri& iri : result.individuals) result.operands.push_back(named(iri));
+            for (const Iri& iri : result.individuals) result.operands.push_back(owl::named_class(iri));
             result.individuals.clear();
             is_new = true;
         }

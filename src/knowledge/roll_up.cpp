@@ -11,6 +11,7 @@
 #include <set>
 
 #include "knowledge/plain.h"
+#include "owl/make_class.h"
 #include "owl/words.h"
 
 namespace partonomy::knowledge {
@@ -27,15 +28,7 @@ using owl::RuleTerm;
 bool is_variable(const RuleTerm& term) { return term.kind == RuleTerm::Kind::variable; }
 
 ClassPointer all_of(std::vector<ClassPointer> operands) {
-    if (operands.size() == 1) return operands[0];
-    auto result = std::make_shared<ClassExpression>();
-    if (operands.empty()) {
-        result->iri = std::string(owl::owl_prefix) + "Thing";
-    } else {
-        result->kind = ClassKind::intersection_of;
-        result->operands = std::move(operands);
-    }
-    return result;
+    return operands.empty() ? owl::thing() : owl::combined(ClassKind::intersection_of, std::move(operands));
 }
 
 /// xsd:double[facet x] and the like for one comparison of a variable with a constant; nullopt for anything else.
