@@ -24,10 +24,11 @@ void add_catalogue_command(CLI::App& app, Run& run) {
     command.callback([ontology, &run] {
         run = [ontology] {
             const knowledge::Domain domain = ontology->load();
-            fmt::print("{:<9} {:<18} {:>5}  {}\n", "signature", "concept", "cost", "how");
+            fmt::print("{:<9} {:<18} {:>5}  {:<7}  {}\n", "signature", "concept", "cost", "origin", "how");
             for (const ElementaryAlgorithm& algorithm : make_catalogue(domain).algorithms)
-                fmt::print("{:<9} {:<18} {:>5}  {}{}\n", word_of(algorithm.signature), algorithm.name, algorithm.cost,
-                           algorithm.method, algorithm.needs_metres ? " (needs a unit)" : "");
+                fmt::print("{:<9} {:<18} {:>5}  {:<7}  {}{}\n", word_of(algorithm.signature), algorithm.name,
+                           algorithm.cost, algorithm.origin == Origin::own ? "own" : "derived", algorithm.method,
+                           algorithm.needs_metres ? " (needs a unit)" : "");
             fmt::print("\n{:<16} {:<8} {}\n", "measure", "unit", "what it is");
             for (const Measure& measure : all_measures())
                 fmt::print("{:<16} {:<8} {}\n", measure.name, measure.unit, measure.description);

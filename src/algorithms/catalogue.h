@@ -17,6 +17,9 @@ enum class Signature {
     related,   ///< T: are these regions in a relation
 };
 
+/// Where an algorithm comes from: it was made for its question, or out of another algorithm (paper §3.4.2).
+enum class Origin { own, derived };
+
 /// One elementary algorithm: it answers one question.
 struct ElementaryAlgorithm {
     Signature signature;
@@ -25,6 +28,7 @@ struct ElementaryAlgorithm {
     std::string method;            ///< how it answers, in words
     double cost;                   ///< relative: an `is a` is 1 unless core:cost says otherwise
     bool needs_metres;
+    Origin origin = Origin::own;
 };
 
 /// All elementary algorithms for a domain: an `is a` for every elementary concept with criteria and every number that
