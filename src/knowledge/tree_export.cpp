@@ -1,6 +1,6 @@
-#include <map>
-#include <nlohmann/json.hpp>
+#include <array>
 
+#include "base/json_text.h"
 #include "knowledge/tree_words.h"
 
 // The tree as files. Beside what the nodes hold, each shows its features as in paper Fig. 8: *told* by an answer on the
@@ -10,13 +10,8 @@
 namespace partonomy::knowledge {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// Counts that a double can hold are numbers, larger ones words.
-Json to_number(const std::string& digits) {
-    if (digits.size() <= 15) return std::stoull(digits);
-    return digits;
-}
+std::string count_as_json(const std::string& digits) { return digits.size() <= 15 ? digits : quoted_json(digits); }
 
 const char* kind_word(VariableKind kind) {
     switch (kind) {
@@ -35,75 +30,87 @@ const char* kind_word(VariableKind kind) {
     }
 }
 
-/// The nodes, one a line. Written word by word: a tree has hundreds of nodes and few different words, and building a
-/// JSON value of them all takes longer than everything else from the ontology to the file.
-std::string nodes_as_json(const DecisionTree& tree, const Domain& domain) {
+/// The nodes, one a line. A tree has hundreds of nodes and few different words: each word is made once.
+void write_nodes(JsonText& json, const DecisionTree& tree, const Domain& domain) {
     const Space& space = *tree.space;
-    const auto quoted = [](const std::string& words) { return Json(words).dump(); };
     std::vector<std::string> concepts;
-    for (const Concept& each : space.concepts) concepts.push_back(quoted(owl::local_name(each.iri)));
-    std::map<Question, std::string> values;
-    const auto list = [](const auto& items, const auto& word_of) {
-        std::string text = "[";
-        for (const auto& item : items) text.append(text.size() > 1 ? ", " : "").append(word_of(item));
-        return text.append("]");
+    for (const Concept& each : space.concepts) concepts.push_back(quoted_json(owl::local_name(each.iri)));
+    std::vector<std::vector<std::string>> values(space.variables.size());
+    std::vector<std::vector<std::array<std::string, 2>>> questions(values.size());  // before and after segmentation
+    for (std::size_t v = 0; v < values.size(); ++v) {
+        questions[v].resize(space.variables[v].values.size());
+        for (std::size_t k = 0; k < space.variables[v].values.size(); ++k)
+            values[v].push_back(quoted_json(value_words(space, {static_cast<VariableId>(v), static_cast<ValueId>(k)})));
+    }
+    const auto list_values = [&](const char* key, const std::vector<Question>& list) {
+        json.array(key);
+        for (const Question value : list)
+            json.raw_item(values[static_cast<std::size_t>(value.variable)][static_cast<std::size_t>(value.value)]);
+        json.end();
     };
-    const auto value_word = [&](Question value) -> const std::string& {
-        std::string& word = values[value];
-        if (word.empty()) word = quoted(value_words(space, value));
-        return word;
+    const auto list_concepts = [&](const char* key, const std::vector<ConceptId>& list) {
+        json.array(key);
+        for (const ConceptId id : list) json.raw_item(concepts[static_cast<std::size_t>(id)]);
+        json.end();
     };
-    const auto concept_word = [&](ConceptId id) -> const std::string& { return concepts[id]; };
-    const auto id_or_null = [](int id) { return id < 0 ? std::string("null") : std::to_string(id); };
+    const auto id_or_null = [&](const char* key, int id) { id < 0 ? json.member(key, nullptr) : json.member(key, id); };
     const std::vector<NodeFeatures> features = follow(tree);
-    std::string text;
+    json.array("nodes");
     for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
         const TreeNode& node = tree.nodes[i];
-        text.append(i > 0 ? "," : "").append("\n  {\"id\": ").append(std::to_string(i));
-        text.append(", \"configurations\": ").append(to_number(node.configurations.count_text()).dump());
-        text.append(", \"segmented\": ").append(node.segmented ? "true" : "false");
+        json.object_in_line().member("id", i);
+        json.raw_member("configurations", count_as_json(node.configurations.count_text()));
+        json.member("segmented", node.segmented);
         if (node.question) {
-            text.append(", \"question\": {\"text\": ").append(quoted(question_words(space, node, domain)));
-            text.append(", \"variable\": ").append(std::to_string(node.question->variable));
-            text.append(", \"value\": ").append(std::to_string(node.question->value));
-            text.append("}, \"yes\": ").append(id_or_null(node.yes)).append(", \"no\": ").append(id_or_null(node.no));
-            if (node.is_open) text.append(", \"open\": true");
+            const auto [variable, value] = *node.question;
+            std::string& words =
+                questions[static_cast<std::size_t>(variable)][static_cast<std::size_t>(value)][node.segmented ? 1 : 0];
+            if (words.empty()) words = quoted_json(question_words(space, node, domain));
+            json.object("question").raw_member("text", words).member("variable", variable).member("value", value);
+            json.end();
+            id_or_null("yes", node.yes);
+            id_or_null("no", node.no);
+            if (node.is_open) json.member("open", true);
         }
-        text.append(", \"told\": ").append(list(features[i].told, value_word));
-        text.append(", \"inferred\": ").append(list(features[i].inferred, value_word));
-        text.append(", \"ruled_out\": ").append(list(features[i].ruled_out, value_word));
-        text.append(", \"asserted\": ").append(list(node.asserted, concept_word));
-        text.append(", \"excluded\": ").append(list(node.excluded, concept_word)).append("}");
+        list_values("told", features[i].told);
+        list_values("inferred", features[i].inferred);
+        list_values("ruled_out", features[i].ruled_out);
+        list_concepts("asserted", node.asserted);
+        list_concepts("excluded", node.excluded);
+        json.end();
     }
-    return text;
+    json.end();
 }
 
 }  // namespace
 
 std::string to_json(const DecisionTree& tree, const Domain& domain) {
     const Space& space = *tree.space;
-    Json json;
-    json["format"] = "partonomy decision tree 1";
-    json["ontology"] = domain.ontology.iri;
-    json["layer"] = space.concepts.empty() ? 1 : domain.layer(space.concepts.front().iri);
-    json["product"] = to_number(space.product_text());
-    json["configurations"] = to_number(space.all().count_text());
-    json["possible"] = to_number(space.possible.count_text());
-    json["depth"] = tree.depth();
-    json["variables"] = Json::array();
+    JsonText json(1);
+    json.object().member("format", "partonomy decision tree 1").member("ontology", domain.ontology.iri);
+    json.member("layer", space.concepts.empty() ? 1 : domain.layer(space.concepts.front().iri));
+    json.raw_member("product", count_as_json(space.product_text()));
+    json.raw_member("configurations", count_as_json(space.all().count_text()));
+    json.raw_member("possible", count_as_json(space.possible.count_text()));
+    json.member("depth", tree.depth()).array("variables");
     for (const Variable& variable : space.variables)
-        json["variables"].push_back(
-            {{"name", variable_name(variable)}, {"kind", kind_word(variable.kind)}, {"values", variable.values}});
-    json["concepts"] = Json::array();
+        json.object()
+            .member("name", variable_name(variable))
+            .member("kind", kind_word(variable.kind))
+            .member("values", variable.values)
+            .end();
+    json.end().array("concepts");
     for (const Concept& each : space.concepts)
-        json["concepts"].push_back({{"name", owl::local_name(each.iri)},
-                                    {"iri", each.iri},
-                                    {"incompatible", each.incompatible},
-                                    {"provable", each.provable},
-                                    {"configurations", to_number(each.where.count_text())}});
-    std::string text = json.dump(1);
-    text.resize(text.size() - 2);  // the closing bracket: nodes come last
-    return text + ",\n \"nodes\": [" + nodes_as_json(tree, domain) + "\n ]\n}\n";
+        json.object()
+            .member("name", owl::local_name(each.iri))
+            .member("iri", each.iri)
+            .member("incompatible", each.incompatible)
+            .member("provable", each.provable)
+            .raw_member("configurations", count_as_json(each.where.count_text()))
+            .end();
+    json.end();
+    write_nodes(json, tree, domain);
+    return json.end().text() + "\n";
 }
 
 std::string to_dot(const DecisionTree& tree, const Domain& domain) {

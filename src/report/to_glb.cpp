@@ -15,16 +15,15 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <nlohmann/json.hpp>
 
 #include "base/errors.h"
+#include "base/json_text.h"
 #include "report/part_names.h"
 #include "report/write.h"
 
 namespace partonomy {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Mat3 = Eigen::Matrix3d;
 
 /// The rotation that takes `up` to +y the short way; exact for axes.
@@ -54,52 +53,35 @@ double linear_of(std::uint8_t channel) {
     return std::round(linear * 1e6) / 1e6;
 }
 
-/// The file while it grows: the arrays of the JSON chunk and the bytes of the binary one.
-struct Builder {
-    Json nodes = Json::array(), meshes = Json::array(), materials = Json::array();
-    Json accessors = Json::array(), views = Json::array();
-    std::string binary;
+/// Three floats a point, and the box around them.
+struct Vectors {
+    std::size_t count = 0;
+    std::array<float, 3> low{}, high{};
 };
 
-/// Appends floats, three by three, as one buffer view with its accessor; the accessor's number.
-std::size_t add_vectors(Builder& builder, const std::vector<float>& values, bool with_bounds) {
-    const std::size_t offset = builder.binary.size();
+/// A material, a mesh and a node of the file.
+struct Piece {
+    const AnnotatedPart* part;  ///< null: unlabelled
+    std::string name;
+    std::array<std::uint8_t, 3> color;
+    Vectors corners;
+};
+
+void append(std::string& binary, const std::vector<float>& values) {
     if constexpr (std::endian::native == std::endian::little) {
-        builder.binary.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float));
+        binary.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float));
     } else {
         for (const float value : values) {
             const auto bits = std::bit_cast<std::uint32_t>(value);
-            for (int shift = 0; shift < 32; shift += 8) builder.binary += static_cast<char>(bits >> shift & 255);
+            for (int shift = 0; shift < 32; shift += 8) binary += static_cast<char>(bits >> shift & 255);
         }
     }
-    constexpr int array_buffer = 34962, float_component = 5126;
-    builder.views.push_back({{"buffer", 0},
-                             {"byteOffset", offset},
-                             {"byteLength", values.size() * sizeof(float)},
-                             {"target", array_buffer}});
-    Json accessor = {{"bufferView", builder.views.size() - 1},
-                     {"componentType", float_component},
-                     {"count", values.size() / 3},
-                     {"type", "VEC3"}};
-    if (with_bounds) {
-        std::array<float, 3> low{values[0], values[1], values[2]}, high = low;
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            low[i % 3] = std::min(low[i % 3], values[i]);
-            high[i % 3] = std::max(high[i % 3], values[i]);
-        }
-        accessor["min"] = low;
-        accessor["max"] = high;
-    }
-    builder.accessors.push_back(accessor);
-    return builder.accessors.size() - 1;
 }
 
-/// Adds material, mesh and node for some triangles; `place` takes a point of the mesh to the root node's frame.
-void add_node(Builder& builder, const TriangleMesh& mesh, const std::vector<std::int32_t>& triangles, const auto& place,
-              const std::string& name, std::array<std::uint8_t, 3> color, const Json& extras) {
-    std::vector<float> positions, normals;
-    positions.resize(triangles.size() * 9);
-    normals.resize(triangles.size() * 9);
+/// Appends corners, then normals of some triangles; `place` takes a point of the mesh to the root node's frame.
+Vectors append_triangles(std::string& binary, const TriangleMesh& mesh, const std::vector<std::int32_t>& triangles,
+                         const auto& place) {
+    std::vector<float> positions(triangles.size() * 9), normals(triangles.size() * 9);
     std::size_t at = 0;
     for (const std::int32_t t : triangles) {
         std::array<Vec3, 3> corners;
@@ -116,22 +98,15 @@ void add_node(Builder& builder, const TriangleMesh& mesh, const std::vector<std:
                 normals[at] = static_cast<float>(normal[axis]);
             }
     }
-    builder.materials.push_back(
-        {{"name", name},
-         {"pbrMetallicRoughness",
-          {{"baseColorFactor", {linear_of(color[0]), linear_of(color[1]), linear_of(color[2]), 1.0}},
-           {"metallicFactor", 0.0},
-           {"roughnessFactor", 0.8}}},
-         {"doubleSided", true}});
-    const std::size_t position = add_vectors(builder, positions, true);
-    const std::size_t normal = add_vectors(builder, normals, false);
-    Json primitive;
-    primitive["attributes"] = {{"POSITION", position}, {"NORMAL", normal}};
-    primitive["material"] = builder.materials.size() - 1;
-    builder.meshes.push_back({{"name", name}, {"primitives", Json::array({primitive})}});
-    Json node = {{"name", name}, {"mesh", builder.meshes.size() - 1}};
-    if (!extras.is_null()) node["extras"] = extras;
-    builder.nodes.push_back(std::move(node));
+    append(binary, positions);
+    append(binary, normals);
+    Vectors made{positions.size() / 3, {positions[0], positions[1], positions[2]}, {}};
+    made.high = made.low;
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        made.low[i % 3] = std::min(made.low[i % 3], positions[i]);
+        made.high[i % 3] = std::max(made.high[i % 3], positions[i]);
+    }
+    return made;
 }
 
 void append_u32(std::string& bytes, std::size_t value) {
@@ -139,8 +114,7 @@ void append_u32(std::string& bytes, std::size_t value) {
 }
 
 /// Header and chunks, each padded to a multiple of four bytes.
-std::string pack(const Json& json, std::string binary) {
-    std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+std::string pack(std::string text, std::string binary) {
     text.resize((text.size() + 3) / 4 * 4, ' ');
     binary.resize((binary.size() + 3) / 4 * 4, '\0');
     const std::size_t size = 12 + 8 + text.size() + (binary.empty() ? 0 : 8 + binary.size());
@@ -159,6 +133,85 @@ std::string pack(const Json& json, std::string binary) {
     return bytes;
 }
 
+/// Node 0 is the root; piece i is node i + 1, mesh i and material i, its corners are accessor and view 2 i, its normals
+/// the one after.
+void write_nodes(JsonText& json, const Annotation& annotation, const std::vector<Piece>& pieces,
+                 const Vec3& translation, double scale) {
+    json.array("nodes").object();
+    json.member("name", annotation.classes.empty() ? std::string("object") : join(annotation.classes));
+    if (!translation.isZero(0))
+        json.array("translation").item(translation.x()).item(translation.y()).item(translation.z()).end();
+    if (scale != 1) json.array("scale").item(scale).item(scale).item(scale).end();
+    if (!pieces.empty()) {
+        json.array("children");
+        for (std::size_t i = 1; i <= pieces.size(); ++i) json.item(i);
+        json.end();
+    }
+    json.object("extras")
+        .member("classes", annotation.classes)
+        .member("consistent", annotation.consistent)
+        .member("score", annotation.score)
+        .end()
+        .end();
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        json.object().member("name", pieces[i].name).member("mesh", i);
+        if (const AnnotatedPart* part = pieces[i].part; part != nullptr)
+            json.object("extras")
+                .member("part", part->id)
+                .member("score", part->score)
+                .member("concepts", part->concepts)
+                .end();
+        json.end();
+    }
+    json.end();
+}
+
+void write_meshes(JsonText& json, const std::vector<Piece>& pieces) {
+    json.array("meshes");
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        json.object().member("name", pieces[i].name).array("primitives").object().object("attributes");
+        json.member("POSITION", 2 * i).member("NORMAL", 2 * i + 1).end().member("material", i).end().end().end();
+    }
+    json.end().array("materials");
+    for (const Piece& piece : pieces) {
+        json.object().member("name", piece.name).object("pbrMetallicRoughness").array("baseColorFactor");
+        for (const std::uint8_t channel : piece.color) json.item(linear_of(channel));
+        json.item(1.0).end().member("metallicFactor", 0.0).member("roughnessFactor", 0.8).end();
+        json.member("doubleSided", true).end();
+    }
+    json.end();
+}
+
+void write_accessors(JsonText& json, const std::vector<Piece>& pieces) {
+    constexpr int float_component = 5126;
+    json.array("accessors");
+    for (std::size_t i = 0; i < 2 * pieces.size(); ++i) {
+        const Vectors& corners = pieces[i / 2].corners;
+        json.object().member("bufferView", i).member("componentType", float_component).member("count", corners.count);
+        json.member("type", "VEC3");
+        if (i % 2 == 0) {  // the corners' bounds
+            json.array("min").item(corners.low[0]).item(corners.low[1]).item(corners.low[2]).end();
+            json.array("max").item(corners.high[0]).item(corners.high[1]).item(corners.high[2]).end();
+        }
+        json.end();
+    }
+    json.end();
+}
+
+/// The bytes of the binary chunk that each accessor reads.
+void write_views(JsonText& json, const std::vector<Piece>& pieces) {
+    constexpr int array_buffer = 34962;
+    json.array("bufferViews");
+    std::size_t offset = 0;
+    for (std::size_t i = 0; i < 2 * pieces.size(); ++i) {
+        const std::size_t length = pieces[i / 2].corners.count * 3 * sizeof(float);
+        json.object().member("buffer", 0).member("byteOffset", offset).member("byteLength", length);
+        json.member("target", array_buffer).end();
+        offset += length;
+    }
+    json.end().array("buffers").object().member("byteLength", offset).end().end();
+}
+
 }  // namespace
 
 std::string to_glb(const TriangleMesh& mesh, const Annotation& annotation, const Vec3& up) {
@@ -173,39 +226,27 @@ std::string to_glb(const TriangleMesh& mesh, const Annotation& annotation, const
         groups[part < 0 ? annotation.parts.size() : static_cast<std::size_t>(part)].push_back(
             static_cast<std::int32_t>(t));
     }
-    Builder builder;
-    builder.nodes.push_back(Json::object());  // the root, filled in below
     const std::vector<std::string> names = part_names(annotation);
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        const AnnotatedPart& part = annotation.parts[i];
-        const Json extras = {{"part", part.id}, {"score", part.score}, {"concepts", part.concepts}};
-        if (!groups[i].empty()) add_node(builder, mesh, groups[i], place, names[i], color_of(part), extras);
+    std::vector<Piece> pieces;
+    std::string binary;
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+        if (groups[i].empty()) continue;
+        const AnnotatedPart* part = i < names.size() ? &annotation.parts[i] : nullptr;
+        pieces.push_back({part, part != nullptr ? names[i] : "unlabelled",
+                          part != nullptr ? color_of(*part) : unlabelled_color,
+                          append_triangles(binary, mesh, groups[i], place)});
     }
-    if (!groups.back().empty()) add_node(builder, mesh, groups.back(), place, "unlabelled", unlabelled_color, Json());
-
     const double scale = metres_per(annotation.unit);
-    const Vec3 translation = scale * (turn * middle);
-    Json& root = builder.nodes[0];
-    root["name"] = annotation.classes.empty() ? std::string("object") : join(annotation.classes);
-    if (!translation.isZero(0)) root["translation"] = {translation.x(), translation.y(), translation.z()};
-    if (scale != 1) root["scale"] = {scale, scale, scale};
-    for (std::size_t i = 1; i < builder.nodes.size(); ++i) root["children"].push_back(i);
-    root["extras"] = {
-        {"classes", annotation.classes}, {"consistent", annotation.consistent}, {"score", annotation.score}};
-
-    Json json;
-    json["asset"] = {{"version", "2.0"}, {"generator", "Partonomy"}};
-    json["scene"] = 0;
-    json["scenes"] = Json::array({{{"nodes", {0}}}});
-    json["nodes"] = std::move(builder.nodes);
-    if (!builder.meshes.empty()) {
-        json["meshes"] = std::move(builder.meshes);
-        json["materials"] = std::move(builder.materials);
-        json["accessors"] = std::move(builder.accessors);
-        json["bufferViews"] = std::move(builder.views);
-        json["buffers"] = Json::array({{{"byteLength", (builder.binary.size() + 3) / 4 * 4}}});
+    JsonText json;
+    json.object().object("asset").member("version", "2.0").member("generator", "Partonomy").end().member("scene", 0);
+    json.array("scenes").object().array("nodes").item(0).end().end().end();
+    write_nodes(json, annotation, pieces, scale * (turn * middle), scale);
+    if (!pieces.empty()) {
+        write_meshes(json, pieces);
+        write_accessors(json, pieces);
+        write_views(json, pieces);
     }
-    return pack(json, std::move(builder.binary));
+    return pack(json.end().text(), std::move(binary));
 }
 
 }  // namespace partonomy

@@ -2,126 +2,128 @@
 // maps are sorted, so equal annotations give equal bytes. Numbers are the shortest that read back as the same double; a
 // number that is not finite becomes null, and bytes that are not UTF-8 (file names may hold any) become U+FFFD.
 
-#include <nlohmann/json.hpp>
-
+#include "base/json_text.h"
 #include "report/write.h"
 
 namespace partonomy {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-template <class Map>
-Json object_of(const Map& map) {
-    Json object = Json::object();
-    for (const auto& [key, value] : map) object[key] = value;
-    return object;
-}
-
-Json part_to_json(const AnnotatedPart& part) {
-    Json json;
-    json["id"] = part.id;
-    json["concepts"] = part.concepts;
-    json["faces"] = part.faces;
-    json["triangles"] = part.triangles.size();
-    json["area"] = part.area;
-    json["score"] = part.score;
-    json["features"] = object_of(part.features);
-    json["measurements"] = object_of(part.measurements);
-    const auto [red, green, blue] = color_of(part);
+std::string hex_color(const AnnotatedPart& part) {
     constexpr char digits[] = "0123456789abcdef";
     std::string color = "#";
-    for (const std::uint8_t channel : {red, green, blue}) {
+    for (const std::uint8_t channel : color_of(part)) {
         color += digits[channel >> 4];
         color += digits[channel & 15];
     }
-    json["color"] = color;
-    return json;
+    return color;
 }
 
-Json composite_to_json(const AnnotatedComposite& composite) {
-    return {{"id", composite.id},
-            {"concepts", composite.concepts},
-            {"parts", composite.parts},
-            {"composites", composite.composites}};
+void write_parts(JsonText& json, const Annotation& annotation) {
+    json.array("parts");
+    for (const AnnotatedPart& part : annotation.parts)
+        json.object()
+            .member("id", part.id)
+            .member("concepts", part.concepts)
+            .member("faces", part.faces)
+            .member("triangles", part.triangles.size())
+            .member("area", part.area)
+            .member("score", part.score)
+            .member("features", part.features)
+            .member("measurements", part.measurements)
+            .member("color", hex_color(part))
+            .end();
+    json.end().array("composites");
+    for (const AnnotatedComposite& composite : annotation.composites)
+        json.object()
+            .member("id", composite.id)
+            .member("concepts", composite.concepts)
+            .member("parts", composite.parts)
+            .member("composites", composite.composites)
+            .end();
+    json.end();
 }
 
-Json trace_to_json(const TraceEntry& entry) {
-    Json json;
-    json["kind"] = entry.kind;
-    json["question"] = entry.question;
-    json["region"] = entry.region;
-    json["answer"] = entry.answer;
-    json["score"] = entry.score;
-    json["inferred"] = entry.inferred;
-    json["ms"] = entry.ms;
-    return json;
+void write_questions(JsonText& json, const Annotation& annotation) {
+    json.object("questions");
+    std::map<std::string, int> others = annotation.questions;
+    for (const char* kind : {"SF", "SI", "T", "TF", "read_off"}) {
+        const auto counted = others.extract(kind);
+        json.member(kind, counted ? counted.mapped() : 0);
+    }
+    for (const auto& [kind, count] : others) json.member(kind, count);
+    json.end().array("trace");
+    for (const TraceEntry& entry : annotation.trace)
+        json.object()
+            .member("kind", entry.kind)
+            .member("question", entry.question)
+            .member("region", entry.region)
+            .member("answer", entry.answer)
+            .member("score", entry.score)
+            .member("inferred", entry.inferred)
+            .member("ms", entry.ms)
+            .end();
+    json.end();
 }
 
-Json diagnosis_to_json(const Diagnosis& diagnosis) {
-    Json json;
-    json["concept"] = diagnosis.concept_name;
-    json["parts"] = diagnosis.parts;
-    json["answers"] = diagnosis.answers;
-    json["axioms"] = diagnosis.axioms;
-    json["corrections"] = diagnosis.corrections;
-    json["changes"] = Json::array();
-    for (const auto& [answers, cost] : diagnosis.changes)
-        json["changes"].push_back({{"answers", answers}, {"cost", cost}});
-    return json;
-}
-
-Json answer_to_json(const LearnedAnswer& answer) {
-    return {{"part", answer.part},
-            {"feature", answer.feature},
-            {"value", answer.value},
-            {"yes", answer.yes},
-            {"score", answer.score}};
-}
-
-Json questions_to_json(const std::map<std::string, int>& questions) {
-    Json json = {{"SF", 0}, {"SI", 0}, {"T", 0}, {"TF", 0}};
-    for (const auto& [kind, count] : questions) json[kind] = count;
-    return json;
-}
-
-Json list_of(const auto& values, auto to_one) {
-    Json list = Json::array();
-    for (const auto& value : values) list.push_back(to_one(value));
-    return list;
+void write_knowledge(JsonText& json, const Annotation& annotation) {
+    json.object("knowledge").member("complete", annotation.is_complete).member("connected", annotation.connected);
+    json.array("answers");
+    for (const LearnedAnswer& answer : annotation.answers)
+        json.object()
+            .member("part", answer.part)
+            .member("feature", answer.feature)
+            .member("value", answer.value)
+            .member("yes", answer.yes)
+            .member("score", answer.score)
+            .end();
+    json.end().end().array("diagnosis");
+    for (const Diagnosis& diagnosis : annotation.diagnosis) {
+        json.object()
+            .member("concept", diagnosis.concept_name)
+            .member("parts", diagnosis.parts)
+            .member("answers", diagnosis.answers)
+            .member("axioms", diagnosis.axioms)
+            .member("corrections", diagnosis.corrections)
+            .array("changes");
+        for (const auto& [answers, cost] : diagnosis.changes)
+            json.object().member("answers", answers).member("cost", cost).end();
+        json.end().end();
+    }
+    json.end();
 }
 
 }  // namespace
 
 std::string to_json(const Annotation& annotation) {
-    Json json;
-    json["mesh"] = {{"file", annotation.mesh_file},
-                    {"sha256", annotation.mesh_sha256},
-                    {"faces", annotation.mesh_faces},
-                    {"triangles", annotation.part_of_triangle.size()},
-                    {"up", annotation.up},
-                    {"up_confidence", annotation.up_confidence},
-                    {"unit", annotation.unit},
-                    {"unit_confidence", annotation.unit_confidence}};
-    json["mesh"]["notes"] = annotation.mesh_notes;
-    json["ontology"] = {
-        {"iri", annotation.ontology_iri}, {"sha256", annotation.ontology_sha256}, {"file", annotation.ontology_file}};
-    json["strategy"] = annotation.strategy;
-    json["object"]["classes"] = annotation.classes;
-    json["object"]["consistent"] = annotation.consistent;
-    json["object"]["score"] = annotation.score;
-    json["object"]["all_classes"] = annotation.all_classes;
-    json["parts"] = list_of(annotation.parts, part_to_json);
-    json["composites"] = list_of(annotation.composites, composite_to_json);
-    json["questions"] = questions_to_json(annotation.questions);
-    json["trace"] = list_of(annotation.trace, trace_to_json);
-    json["knowledge"] = {{"complete", annotation.is_complete},
-                         {"connected", annotation.connected},
-                         {"answers", list_of(annotation.answers, answer_to_json)}};
-    json["diagnosis"] = list_of(annotation.diagnosis, diagnosis_to_json);
-    json["open_questions"] = annotation.open_questions;
-    json["timings_ms"] = object_of(annotation.timings_ms);
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    JsonText json(2);
+    json.object().object("mesh");
+    json.member("file", annotation.mesh_file)
+        .member("sha256", annotation.mesh_sha256)
+        .member("faces", annotation.mesh_faces)
+        .member("triangles", annotation.part_of_triangle.size())
+        .member("up", annotation.up)
+        .member("up_confidence", annotation.up_confidence)
+        .member("unit", annotation.unit)
+        .member("unit_confidence", annotation.unit_confidence)
+        .member("notes", annotation.mesh_notes)
+        .end();
+    json.object("ontology")
+        .member("iri", annotation.ontology_iri)
+        .member("sha256", annotation.ontology_sha256)
+        .member("file", annotation.ontology_file)
+        .end();
+    json.member("strategy", annotation.strategy).object("object");
+    json.member("classes", annotation.classes)
+        .member("consistent", annotation.consistent)
+        .member("score", annotation.score)
+        .member("all_classes", annotation.all_classes)
+        .end();
+    write_parts(json, annotation);
+    write_questions(json, annotation);
+    write_knowledge(json, annotation);
+    json.member("open_questions", annotation.open_questions).object("timings_ms");
+    for (const auto& [stage, ms] : annotation.timings_ms) json.member(stage, ms);
+    return json.end().end().text() + "\n";
 }
 
 }  // namespace partonomy
