@@ -60,8 +60,14 @@ const auto& require(const Measures& measures, const Domain& domain, const owl::I
                                        name, nearest->name)));
 }
 
-const Measure& require_measure(const Domain& domain, const owl::Iri& iri, const std::string& name) {
-    return require(all_measures(), domain, iri, name);
+/// What an annotation of `iri` says of measures, or an error that tells where it says so.
+Formula require_formula(const Domain& domain, const owl::Iri& iri, const std::string& text) {
+    try {
+        return parse_formula(text);
+    } catch (const OntologyError& error) {
+        const owl::Source source = source_of(domain, iri, text);
+        throw OntologyError(at(source.file, source.line, fmt::format("{}: {}", owl::local_name(iri), error.what())));
+    }
 }
 
 /// Relations measure as many regions as they link.
@@ -107,8 +113,10 @@ Catalogue make_catalogue(const Domain& domain) {
                 if (value.criteria.empty()) continue;
                 bool needs_metres = false;
                 std::string method;
+                std::vector<Formula> formulas;
                 for (const knowledge::Criterion& c : value.criteria) {
-                    needs_metres |= require_measure(domain, value.iri, c.measure).needs_metres;
+                    formulas.push_back(require_formula(domain, value.iri, c.measure));
+                    needs_metres |= formulas.back().needs_metres;
                     method += fmt::format("{}{} in [{} {} {} {}]", method.empty() ? "" : " and ", c.measure, c.a1, c.a2,
                                           c.a3, c.a4);
                 }
@@ -125,18 +133,26 @@ Catalogue make_catalogue(const Domain& domain) {
                                                 name,
                                                 method,
                                                 std::max(read_off_cost, value.cost.value_or(1)),
-                                                needs_metres});
+                                                needs_metres,
+                                                Origin::own,
+                                                std::move(formulas)});
             }
         } else if (variable.kind == VariableKind::number) {
             const knowledge::MeasuredProperty& number = domain.numbers[static_cast<std::size_t>(variable.index)];
             if (number.measure.empty()) continue;
-            const Measure& measure = require_measure(domain, number.iri, number.measure);
+            const Formula formula = require_formula(domain, number.iri, number.measure);
             for (int i = 0; i + 1 < static_cast<int>(number.intervals.size()); ++i) {
                 const auto& interval = number.intervals[static_cast<std::size_t>(i)];
                 const std::string name = fmt::format("{} {} {}", owl::local_name(number.iri),
                                                      interval.high_closed ? "<=" : "<", interval.high);
-                catalogue.algorithms.push_back(
-                    {Signature::is_a, {v, i}, name, number.measure, read_off_cost, measure.needs_metres});
+                catalogue.algorithms.push_back({Signature::is_a,
+                                                {v, i},
+                                                name,
+                                                number.measure,
+                                                read_off_cost,
+                                                formula.needs_metres,
+                                                Origin::own,
+                                                {formula}});
             }
         }
     }
@@ -160,33 +176,28 @@ Catalogue make_catalogue(const Domain& domain) {
     return catalogue;
 }
 
-std::optional<double> is_a(const Domain& domain, Question question, const Object& object,
+std::optional<double> is_a(const Domain& domain, const Catalogue& catalogue, Question question, const Object& object,
                            const RegionMeasurements& region) {
+    const ElementaryAlgorithm* algorithm = catalogue.find(Signature::is_a, question);
+    if (!algorithm) return std::nullopt;
     const Variable& variable = domain.regions.variables[static_cast<std::size_t>(question.variable)];
-    if (variable.kind == VariableKind::range) {
-        const auto& values = domain.ranges[static_cast<std::size_t>(variable.index)].values;
-        if (question.value >= static_cast<int>(values.size())) return std::nullopt;  // "other"
-        const auto& criteria = values[static_cast<std::size_t>(question.value)].criteria;
-        if (criteria.empty()) return std::nullopt;
-        double score = 1;
-        for (const knowledge::Criterion& c : criteria) {
-            const Measure* measure = find_measure(c.measure);
-            if (!measure) return std::nullopt;
-            const std::optional<double> x = evaluate(*measure, object, region);
-            if (!x) return std::nullopt;
-            score = std::min(score, Trapezoid{c.a1, c.a2, c.a3, c.a4}(*x));
-            if (score == 0) break;
-        }
-        return score;
+    const auto index = static_cast<std::size_t>(variable.index), value = static_cast<std::size_t>(question.value);
+    if (variable.kind == VariableKind::number) {
+        const std::optional<double> x = evaluate(algorithm->formulas.front(), object, region);
+        if (!x) return std::nullopt;
+        const auto& interval = domain.numbers[index].intervals[value];
+        return number_score(*x, interval.high, interval.high_closed);
     }
-    if (variable.kind != VariableKind::number) return std::nullopt;
-    const auto& number = domain.numbers[static_cast<std::size_t>(variable.index)];
-    const Measure* measure = find_measure(number.measure);
-    if (!measure) return std::nullopt;
-    const std::optional<double> x = evaluate(*measure, object, region);
-    if (!x) return std::nullopt;
-    const auto& interval = number.intervals[static_cast<std::size_t>(question.value)];
-    return number_score(*x, interval.high, interval.high_closed);
+    const std::vector<knowledge::Criterion>& criteria = domain.ranges[index].values[value].criteria;
+    double score = 1;
+    for (std::size_t i = 0; i < criteria.size(); ++i) {
+        const std::optional<double> x = evaluate(algorithm->formulas[i], object, region);
+        if (!x) return std::nullopt;
+        const knowledge::Criterion& c = criteria[i];
+        score = std::min(score, Trapezoid{c.a1, c.a2, c.a3, c.a4}(*x));
+        if (score == 0) break;
+    }
+    return score;
 }
 
 }  // namespace partonomy

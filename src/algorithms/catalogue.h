@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "algorithms/measures.h"
+#include "algorithms/formula.h"
 #include "algorithms/object.h"
 #include "knowledge/decision_tree.h"
 
@@ -29,6 +29,7 @@ struct ElementaryAlgorithm {
     double cost;                   ///< relative: an `is a` is 1 unless core:cost says otherwise
     bool needs_metres;
     Origin origin = Origin::own;
+    std::vector<Formula> formulas = {};  ///< SI: of the concept's criteria, in their order; or of the number
 };
 
 /// All elementary algorithms for a domain: an `is a` for every elementary concept with criteria and every number that
@@ -39,12 +40,13 @@ struct Catalogue {
 };
 
 /// Throws OntologyError when core:measure or core:criterion names a measure that does not exist (with the nearest right
-/// name), or one of another number of regions than the relation's.
+/// name), combines measures that do not go together, or names one of another number of regions than the relation's.
 [[nodiscard]] Catalogue make_catalogue(const knowledge::Domain& domain);
 
 /// Score in [0, 1] of "the region is what the question says": >= 0.5 means yes. nullopt when nothing can tell: no
 /// algorithm, or no unit. (SI of paper §6.3: the lowest of the concept's trapezoids.)
-[[nodiscard]] std::optional<double> is_a(const knowledge::Domain& domain, knowledge::Question question,
-                                         const Object& object, const RegionMeasurements& region);
+[[nodiscard]] std::optional<double> is_a(const knowledge::Domain& domain, const Catalogue& catalogue,
+                                         knowledge::Question question, const Object& object,
+                                         const RegionMeasurements& region);
 
 }  // namespace partonomy

@@ -8,14 +8,22 @@
 
 namespace partonomy {
 
+/// When a measure is taken, and so when annotation.json holds it.
+enum class Effort {
+    at_once,    ///< in one pass over the region, always
+    rays,       ///< for a question that needs rays: together with the other measures of look_around
+    on_demand,  ///< for a question that needs it
+};
+
 /// A measurement that core:measure may name.
 struct Measure {
     const char* name;
     const char* unit;  ///< "1", "degrees", "m", "m2"
     const char* description;
     bool needs_metres;
-    bool needs_rays;  ///< measured only when a question needs it
-    double (*value)(const Object&, const RegionMeasurements&);  ///< lengths in metres when needs_metres
+    Effort effort;
+    /// Lengths in metres when needs_metres, in file units as long as the unit is unknown; NaN when nothing can tell.
+    double (*value)(const Object&, const RegionMeasurements&);
 };
 
 /// All measures, in the order in which the catalogue prints them.
@@ -24,8 +32,12 @@ struct Measure {
 /// nullptr when there is none of that name.
 [[nodiscard]] const Measure* find_measure(const std::string& name);
 
-/// The value on a region; nullopt when it needs metres and the unit is unknown.
+/// The value on a region; nullopt when it needs metres and the unit is unknown, or when nothing can tell.
 [[nodiscard]] std::optional<double> evaluate(const Measure& measure, const Object& object,
                                              const RegionMeasurements& region);
+
+/// The same where a unit is not asked for. What is measured on demand is kept in region.asked.
+[[nodiscard]] std::optional<double> measure_once(const Measure& measure, const Object& object,
+                                                 const RegionMeasurements& region);
 
 }  // namespace partonomy

@@ -117,6 +117,8 @@ RegionMeasurements measure_region(const Object& object, const PartRegion& part) 
     result.triangles = part.region.triangles;
     double upward = 0, downward = 0;
     result.lengths = part.box.lengths;
+    result.axes = part.box.axes;
+    result.centre = part.box.centre;
     result.inclination = inclination_of(part.box, object.placement.up);
     std::vector<std::pair<double, double>> lows, highs;
     for (const int t : part.region.triangles) {

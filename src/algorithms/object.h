@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -25,6 +26,19 @@ struct Placement {
 /// "m", "cm", "mm", "in" -> metres per unit; "auto" -> nullopt. Throws UsageError for another word.
 [[nodiscard]] std::optional<double> parse_unit(const std::string& word);
 
+/// Points spread evenly over a region, on the surface with noise taken out.
+struct SurfaceSamples {
+    std::vector<Vec3> points, normals;
+    std::vector<Vec3> origins;  ///< the same points on the mesh as it is
+};
+
+/// The surface of an object with noise taken out; the triangles are those of the mesh.
+struct CalmSurface {
+    TriangleMesh mesh;
+    TriangleGeometry geometry;
+    Adjacency adjacency;
+};
+
 /// A mesh ready to be asked about.
 struct Object {
     TriangleMesh mesh;
@@ -35,6 +49,7 @@ struct Object {
     std::vector<PartRegion> candidates;   ///< box-like regions of find_parts: what every `find all` chooses from
     StageTimes times;                     ///< of finding them
     std::shared_ptr<const RayTree> tree;  ///< of the mesh
+    mutable std::shared_ptr<const CalmSurface> calm;  ///< once a question needed it: calm_surface
 };
 
 /// Measures the mesh and cuts it into candidate regions. Needs no ontology. threads <= 0: all cores.
@@ -62,8 +77,12 @@ struct RegionMeasurements {
     double low = 0, high = 0;  ///< extent along up, in file units; a stray hundredth of the area does not count
     double area = 0;           ///< squared file units
     double plan_area = 0;      ///< of the upper side, seen from above; squared file units
-    std::span<const std::int32_t> triangles;           ///< of the region; the object's candidates own them
-    mutable std::optional<Surroundings> surroundings;  ///< once a question needed them: look_around
+    std::span<const std::int32_t> triangles;                ///< of the region; the object's candidates own them
+    Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();     ///< of the box, as columns
+    Vec3 centre = Vec3::Zero();                             ///< of the box
+    mutable std::optional<Surroundings> surroundings;       ///< once a question needed them: look_around
+    mutable std::shared_ptr<const SurfaceSamples> samples;  ///< once a question needed them: samples_of
+    mutable std::map<std::string, double> asked;  ///< values of measures and formulas that are taken on demand
 };
 
 /// `part` is one of the object's candidates, and must outlive the result.

@@ -93,9 +93,10 @@ AnnotatedPart make_part(const Session& session, int region, const ConfigurationS
     }
     const RegionMeasurements& measured = session.measurements(region);
     for (const Measure& measure : all_measures())
-        if (!measure.needs_rays || measured.surroundings)
+        if (measure.effort == Effort::at_once || (measure.effort == Effort::rays && measured.surroundings))
             if (const auto value = evaluate(measure, session.object(), measured))
                 part.measurements[measure.name] = *value;
+    part.measurements.insert(measured.asked.begin(), measured.asked.end());
     const double metres = session.object().placement.metres_per_unit.value_or(1);
     part.area = measured.area * metres * metres;
     if (!concepts.empty()) part.color = annotation_of(domain, concepts.front(), "color");

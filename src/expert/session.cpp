@@ -86,7 +86,7 @@ void Session::read_off(int region, int variable) {
         const Question question{variable, i};
         const ElementaryAlgorithm* algorithm = catalogue_.find(Signature::is_a, question);
         if (!algorithm) continue;
-        const auto score = is_a(domain_, question, object_, measurements(region));
+        const auto score = is_a(domain_, catalogue_, question, object_, measurements(region));
         if (!score) return;  // no unit
         scores.emplace_back(question, *score);
         if (is_number && *score >= 0.5) break;
@@ -108,7 +108,7 @@ int Session::find_all(Question question) {
     std::vector<int> found;
     double lowest = 1;
     for (Candidate& candidate : rest_) {
-        const double score = is_a(domain_, question, object_, candidate.measurements).value_or(0);
+        const double score = is_a(domain_, catalogue_, question, object_, candidate.measurements).value_or(0);
         if (score >= 0.5) {
             const int region = add_region(std::move(candidate));
             learn(region, question, true, score);
@@ -188,7 +188,7 @@ void Session::find_connections() {
 
 std::optional<double> Session::ask_score(int region, Question question) {
     const Stopwatch watch;
-    const std::optional<double> score = is_a(domain_, question, object_, measurements(region));
+    const std::optional<double> score = is_a(domain_, catalogue_, question, object_, measurements(region));
     if (!score) return std::nullopt;
     ++is_a_count;
     TraceEntry entry;

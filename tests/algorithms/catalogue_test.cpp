@@ -15,6 +15,11 @@ const knowledge::Domain& furniture() {
     return domain;
 }
 
+const Catalogue& catalogue() {
+    static const Catalogue made = make_catalogue(furniture());
+    return made;
+}
+
 knowledge::Question question(const std::string& range, const std::string& value) {
     const knowledge::Space& space = furniture().regions;
     const auto variable = space.find_variable(owl::core_prefix + range);
@@ -30,7 +35,7 @@ double score(const std::string& range, const std::string& value, const RegionMea
     Object object;
     object.low = 0;
     object.high = 1;
-    return is_a(furniture(), question(range, value), object, region).value();
+    return is_a(furniture(), catalogue(), question(range, value), object, region).value();
 }
 
 RegionMeasurements with_lengths(double l0, double l1, double l2) {
@@ -40,9 +45,8 @@ RegionMeasurements with_lengths(double l0, double l1, double l2) {
 }
 
 TEST(Catalogue, TwelveConceptsOfThePaper) {
-    const Catalogue catalogue = make_catalogue(furniture());
     int find_all = 0, concepts = 0, numbers = 0;
-    for (const ElementaryAlgorithm& algorithm : catalogue.algorithms) {
+    for (const ElementaryAlgorithm& algorithm : catalogue().algorithms) {
         const auto& variable = furniture().regions.variables[static_cast<std::size_t>(algorithm.question.variable)];
         if (algorithm.signature == Signature::find_all)
             ++find_all;
@@ -83,8 +87,8 @@ TEST(Catalogue, WithoutUnitQuestionsOfSizeAreUnanswerable) {
     Object object;
     object.high = 1;
     object.placement.metres_per_unit = std::nullopt;
-    EXPECT_EQ(is_a(furniture(), question("Modular", "M27"), object, with_lengths(1, 1, 1)), std::nullopt);
-    EXPECT_NE(is_a(furniture(), question("Position", "Up"), object, with_lengths(1, 1, 1)), std::nullopt);
+    EXPECT_EQ(is_a(furniture(), catalogue(), question("Modular", "M27"), object, with_lengths(1, 1, 1)), std::nullopt);
+    EXPECT_NE(is_a(furniture(), catalogue(), question("Position", "Up"), object, with_lengths(1, 1, 1)), std::nullopt);
 }
 
 TEST(Catalogue, UnknownMeasureNamesTheNearestOne) {

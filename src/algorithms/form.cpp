@@ -1,0 +1,234 @@
+/* Measures of a region's form: round, tapered, bent, hollow, convex; and its volume.
+ *
+ * A region is looked at along the axes of its smallest box: a stick along its length, a board along its length and
+ * width, or through its thickness when its outline matters. Points evenly spread over the surface (samples.cpp) are
+ * sorted into slices across the axis.
+ *
+ * section spread  In each slice the points' distances from the slice's middle, scaled so that an ellipse becomes a
+ *                 circle, are averaged by direction; the value is the standard deviation of these means over their
+ * mean. Averages keep noise out, slices keep bends and tapers out. A circle has 0, a hexagon 0.05, a square 0.11, a
+ * triangle 0.2. Of a board it is the outline that counts; of a block the roundest of its axes. taper           root of
+ * the mean squared distance from the middle of the slice, near both ends: smaller over larger. bend            how far
+ * the middles of the slices leave their best straight line, over the length. Of a board only across its thickness: an
+ * outline that is no rectangle does not make it bent. wall            median over the points of the way through the
+ * material, against the normal, over the shortest length of the box. Points under which there is no opposite wall
+ * (sheets) count as 0. convexity       over many pairs of points, how far the second is behind the tangent plane of the
+ * first (convex) or before it (concave), the sum over the sum of absolute values. Flatter than a fiftieth counts as
+ * flat. volume          sum of tetrahedra over the triangles, with a fan over each opening, so that a leg that is open
+ * where it joins the seat has the volume of a closed one.
+ *
+ * All O(#T of the region) for the points, then a constant. */
+
+#include "algorithms/form.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <numeric>
+
+namespace partonomy {
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double clearly_longer = 2;  // half way from "alike" to "obviously longer" (core:Shape)
+
+bool is_stick(const Vec3& l) { return l[0] >= clearly_longer * l[1] && l[1] < clearly_longer * l[2]; }
+bool is_board(const Vec3& l) { return l[1] >= clearly_longer * l[2]; }
+
+/// Points of the region in the frame of its box, in slices of equal width along one axis between two shares of its
+/// length.
+struct Slices {
+    std::vector<std::vector<Vec3>> slices;  ///< coordinates: along the axis, then along the two others
+
+    Slices(const SurfaceSamples& samples, const RegionMeasurements& region, int axis, int count, double from, double to,
+           double steepest = 2) {
+        slices.resize(static_cast<std::size_t>(count));
+        const std::array<int, 3> order{axis, axis == 0 ? 1 : 0, axis == 2 ? 1 : 2};
+        for (std::size_t i = 0; i < samples.points.size(); ++i) {
+            if (std::abs(samples.normals[i].dot(region.axes.col(axis))) > steepest) continue;
+            const Vec3 place = region.axes.transpose() * (samples.points[i] - region.centre);
+            const double share = region.lengths[axis] > 0 ? place[axis] / region.lengths[axis] + 0.5 : 0.5;
+            const double at = (share - from) / (to - from) * count;
+            if (at < 0 || at >= count) continue;
+            slices[static_cast<std::size_t>(at)].emplace_back(place[order[0]], place[order[1]], place[order[2]]);
+        }
+    }
+};
+
+Vec3 mean_of(const std::vector<Vec3>& points) {
+    return std::accumulate(points.begin(), points.end(), Vec3(Vec3::Zero())) / static_cast<double>(points.size());
+}
+
+/// How far the sections across an axis are from ellipses; nothing without walls along it.
+double spread_across(const Object& object, const RegionMeasurements& region, int axis) {
+    constexpr std::size_t directions = 24, least_points = 12;
+    const bool is_thin = axis == 2 && is_board(region.lengths);
+    const Slices sliced(samples_of(object, region), region, axis, is_thin ? 1 : 6, is_thin ? -1 : 0.05,
+                        is_thin ? 2 : 0.95, 0.7);
+    std::array<double, directions> sum{}, count{};
+    for (const std::vector<Vec3>& slice : sliced.slices) {
+        if (slice.size() < least_points) continue;
+        const Vec3 middle = mean_of(slice);
+        Vec3 variance = Vec3::Zero();
+        for (const Vec3& p : slice) variance += (p - middle).cwiseAbs2();
+        if (!(variance[1] > 0 && variance[2] > 0)) continue;
+        const double squeeze = std::sqrt(variance[1] / variance[2]);
+        std::vector<std::pair<std::size_t, double>> polar;
+        double mean = 0;
+        for (const Vec3& p : slice) {
+            const double x = p[1] - middle[1], y = (p[2] - middle[2]) * squeeze;
+            const double turn = std::atan2(y, x) / (2 * std::numbers::pi) + 0.5;
+            polar.emplace_back(std::min(directions - 1, static_cast<std::size_t>(turn * directions)), std::hypot(x, y));
+            mean += polar.back().second / static_cast<double>(slice.size());
+        }
+        for (const auto& [direction, distance] : polar) {
+            sum[direction] += distance / mean;
+            count[direction] += 1;
+        }
+    }
+    double filled = 0, mean = 0, squares = 0;
+    for (std::size_t i = 0; i < directions; ++i) {
+        if (count[i] < 3) continue;
+        const double value = sum[i] / count[i];
+        filled += 1;
+        mean += value;
+        squares += value * value;
+    }
+    if (filled < directions / 2) return nothing;
+    mean /= filled;
+    return std::sqrt(std::max(0.0, squares / filled - mean * mean)) / mean;
+}
+
+/// Size of a cross-section.
+double radius_of(const std::vector<Vec3>& slice) {
+    if (slice.empty()) return 0;
+    const Vec3 middle = mean_of(slice);
+    double sum = 0;
+    for (const Vec3& p : slice) sum += (p - middle).tail<2>().squaredNorm();
+    return std::sqrt(sum / static_cast<double>(slice.size()));
+}
+
+/// How far the middles of slices leave a straight line in the coordinate `across` of Slices, over the axis' length.
+double bend_along(const Object& object, const RegionMeasurements& region, int axis, int across) {
+    const Slices sliced(samples_of(object, region), region, axis, 10, 0.03, 0.97);
+    std::vector<Vec3> middles;
+    for (const std::vector<Vec3>& slice : sliced.slices)
+        if (slice.size() >= 5) middles.push_back(mean_of(slice));
+    if (middles.size() < 4 || !(region.lengths[axis] > 0)) return 0;
+    const Vec3 mean = mean_of(middles);
+    double xx = 0, xy = 0;
+    for (const Vec3& m : middles) {
+        xx += (m[0] - mean[0]) * (m[0] - mean[0]);
+        xy += (m[0] - mean[0]) * (m[across] - mean[across]);
+    }
+    const double slope = xx > 0 ? xy / xx : 0;
+    double low = 0, high = 0;
+    for (const Vec3& m : middles) {
+        const double off = m[across] - mean[across] - slope * (m[0] - mean[0]);
+        low = std::min(low, off);
+        high = std::max(high, off);
+    }
+    return (high - low) / region.lengths[axis];
+}
+
+}  // namespace
+
+double section_spread(const Object& object, const RegionMeasurements& region) {
+    if (is_board(region.lengths)) return spread_across(object, region, 2);
+    if (is_stick(region.lengths)) return spread_across(object, region, 0);
+    double least = nothing;
+    for (int axis = 0; axis < 3; ++axis) least = std::fmin(least, spread_across(object, region, axis));
+    return least;
+}
+
+double end_ratio(const Object& object, const RegionMeasurements& region) {
+    const int axes = is_stick(region.lengths) ? 1 : is_board(region.lengths) ? 2 : 3;
+    double least = nothing;
+    for (int axis = 0; axis < axes; ++axis) {
+        const Slices sliced(samples_of(object, region), region, axis, 4, 0.1, 0.9);
+        const double first = radius_of(sliced.slices.front()), last = radius_of(sliced.slices.back());
+        if (first > 0 && last > 0) least = std::fmin(least, std::min(first, last) / std::max(first, last));
+    }
+    return least;
+}
+
+double bend(const Object& object, const RegionMeasurements& region) {
+    if (is_stick(region.lengths)) return std::max(bend_along(object, region, 0, 1), bend_along(object, region, 0, 2));
+    return std::max(bend_along(object, region, 0, 2), bend_along(object, region, 1, 2));
+}
+
+double wall_thickness(const Object& object, const RegionMeasurements& region) {
+    const SurfaceSamples& samples = samples_of(object, region);
+    if (samples.points.empty() || !object.tree || !(region.lengths[2] > 0)) return nothing;
+    const double lift = 1e-4 * region.lengths.norm();
+    std::vector<double> ways;
+    for (std::size_t i = 0; i < samples.points.size(); i += 5) {
+        const Vec3 inward = -samples.normals[i];
+        ways.push_back(object.tree->first_hit(samples.origins[i] + lift * inward, inward).value_or(0));
+    }
+    const auto middle = ways.begin() + static_cast<std::ptrdiff_t>(ways.size() / 2);
+    std::nth_element(ways.begin(), middle, ways.end());
+    return *middle / region.lengths[2];
+}
+
+double convexity(const Object& object, const RegionMeasurements& region) {
+    constexpr double flat = 0.02;
+    constexpr std::size_t partners = 16;
+    const SurfaceSamples& samples = samples_of(object, region);
+    const std::size_t count = samples.points.size();
+    if (count < 2) return nothing;
+    double sum = 0, absolute = 0, distance = 0;
+    for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t k = 1; k <= partners; ++k) {
+            const Vec3 way = samples.points[(i + k * count / (partners + 1)) % count] - samples.points[i];
+            const double behind = -samples.normals[i].dot(way);
+            sum += behind;
+            absolute += std::abs(behind);
+            distance += way.norm();
+        }
+    return sum / (absolute + flat * distance);
+}
+
+double enclosed_volume(const Object& object, const RegionMeasurements& region) {
+    if (region.triangles.empty()) return nothing;
+    const TriangleMesh& mesh = object.mesh;
+    const auto at = [&](std::int32_t v) -> const Vec3& { return mesh.positions[static_cast<std::size_t>(v)]; };
+    const Vec3 origin = at(mesh.triangles[static_cast<std::size_t>(region.triangles.front())][0]);
+    double sixfold = 0;
+    std::vector<std::array<std::int32_t, 2>> edges;
+    for (const std::int32_t t : region.triangles) {
+        const auto& c = mesh.triangles[static_cast<std::size_t>(t)];
+        sixfold += (at(c[0]) - origin).dot((at(c[1]) - origin).cross(at(c[2]) - origin));
+        for (std::size_t e = 0; e < 3; ++e) edges.push_back({c[e], c[(e + 1) % 3]});
+    }
+    // Edges that no other triangle of the region runs back along are the rims of its openings.
+    std::ranges::sort(edges);
+    std::vector<std::array<std::int32_t, 2>> rims;
+    for (const auto& [a, b] : edges)
+        if (!std::ranges::binary_search(edges, std::array{b, a})) rims.push_back({a, b});
+    std::map<std::int32_t, std::int32_t> parent;
+    const auto root = [&](std::int32_t v) {
+        while (parent.at(v) != v) v = parent[v] = parent.at(parent.at(v));
+        return v;
+    };
+    for (const auto& rim : rims)
+        for (const std::int32_t v : rim) parent.emplace(v, v);
+    for (const auto& [a, b] : rims) parent[root(a)] = root(b);
+    std::map<std::int32_t, std::pair<Vec3, int>> middles;
+    for (const auto& rim : rims) {
+        auto& [sum, count] = middles.try_emplace(root(rim[0]), Vec3::Zero(), 0).first->second;
+        sum += at(rim[0]) - origin;
+        ++count;
+    }
+    for (const auto& [a, b] : rims) {
+        const auto& [sum, count] = middles.at(root(a));
+        sixfold += (sum / count).dot((at(b) - origin).cross(at(a) - origin));
+    }
+    return std::abs(sixfold) / 6;
+}
+
+}  // namespace partonomy

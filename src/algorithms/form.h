@@ -1,0 +1,25 @@
+#pragma once
+
+#include "algorithms/object.h"
+
+namespace partonomy {
+
+// Measures of a region's form beyond its box; docs/elementary-algorithms.md says what each value means. Lengths and
+// volumes in file units; NaN when nothing can tell. They stand on samples, so that triangles and noise do not matter.
+
+/// The object's surface with noise taken out, made the first time that it is asked for (not from two threads at once).
+[[nodiscard]] const CalmSurface& calm_surface(const Object& object);
+
+/// Points of equal shares of the region's area, made the first time that they are asked for; empty without area.
+[[nodiscard]] const SurfaceSamples& samples_of(const Object& object, const RegionMeasurements& region);
+
+[[nodiscard]] double enclosed_volume(const Object& object, const RegionMeasurements& region);
+[[nodiscard]] double wall_thickness(const Object& object, const RegionMeasurements& region);
+[[nodiscard]] double section_spread(const Object& object, const RegionMeasurements& region);
+[[nodiscard]] double end_ratio(const Object& object, const RegionMeasurements& region);
+[[nodiscard]] double bend(const Object& object, const RegionMeasurements& region);
+[[nodiscard]] double convexity(const Object& object, const RegionMeasurements& region);
+[[nodiscard]] double mirror_difference(const Object& object, const RegionMeasurements& region);
+[[nodiscard]] double turn_difference(const Object& object, const RegionMeasurements& region);
+
+}  // namespace partonomy
