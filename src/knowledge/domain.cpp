@@ -189,7 +189,7 @@ std::vector<Iri> Domain::most_specific(const std::vector<Iri>& iris) const {
 
 std::vector<std::pair<Iri, Iri>> Domain::hierarchy() const {
     std::vector<std::pair<Iri, Iri>> pairs = told_relations(ontology);
-    for (const RangeConcept& range : ranges) {
+    for (const RangeConcept& range : find_ranges(ontology)) {  // those that the domain does not speak of, too
         pairs.emplace_back(range.iri, core_term("Feature"));
         for (const ElementaryConcept& value : range.values) {
             pairs.emplace_back(value.iri, range.iri);

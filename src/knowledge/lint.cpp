@@ -19,6 +19,7 @@
 #include "knowledge/object_clauses.h"
 #include "knowledge/plain.h"
 #include "knowledge/theory.h"
+#include "owl/signature.h"
 
 namespace partonomy::knowledge {
 namespace {
@@ -163,7 +164,7 @@ public:
     Linter(const Domain& domain, const LintOptions& options)
         : domain_(domain), theory_(domain.grounding->theory), options_(options) {
         for (std::size_t i = 0; i < domain.ontology.axioms.size(); ++i)
-            for_each_name(domain.ontology.axioms[i], [&](const Iri& iri) {
+            owl::for_each_name(domain.ontology.axioms[i], [&](const Iri& iri) {
                 std::vector<std::size_t>& axioms = uses_[iri];
                 if (axioms.empty() || axioms.back() != i) axioms.push_back(i);
             });
@@ -330,7 +331,7 @@ private:
     }
     [[nodiscard]] static std::size_t mentions(const owl::Axiom& axiom, const Iri& iri) {
         std::size_t count = 0;
-        for_each_name(axiom, [&](const Iri& each) { count += each == iri; });
+        owl::for_each_name(axiom, [&](const Iri& each) { count += each == iri; });
         return count;
     }
     /// "Seat and Table" that some of the axioms are about.

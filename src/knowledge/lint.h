@@ -49,9 +49,6 @@ struct LintOptions {
 /// Bounded: spaces that are not listed are looked at by a SAT solver, about once for each concept.
 [[nodiscard]] std::vector<Finding> lint(const Domain& domain, const LintOptions& options = {});
 
-/// Calls `visit` for each name of a class or property in an axiom, in order, repeated ones too.
-void for_each_name(const owl::Axiom& axiom, const std::function<void(const Iri&)>& visit);
-
 /// Terms in the core ontology's namespace (or one spelled nearly like it) that it does not declare, each with the
 /// nearest term that it does.
 [[nodiscard]] std::vector<Finding> unknown_terms(const owl::Ontology& ontology);

@@ -3,43 +3,13 @@
 
 #include "base/spelling.h"
 #include "knowledge/lint.h"
+#include "owl/signature.h"
 
 // Spelling of core terms. Every name that an axiom or annotation uses is looked up among the terms that the core
 // ontology declares; a name in another namespace counts as meant for the core one when the namespace is nearly spelled
 // like it and the rest is a core term, such as "http://w3id.org/partonomy/core#Board".
 
 namespace partonomy::knowledge {
-namespace {
-
-/// Calls `visit(iri)` for every name in an axiom.
-class Names {
-public:
-    explicit Names(const std::function<void(const Iri&)>& visit) : visit_(visit) {}
-
-    void of(const owl::Axiom& axiom) const {
-        for (const owl::ClassPointer& expression : axiom.classes) of(*expression);
-        for (const owl::PropertyExpression& property : axiom.properties) visit_(property.iri);
-        if (!axiom.rule) return;
-        for (const auto* atoms : {&axiom.rule->body, &axiom.rule->head})
-            for (const owl::RuleAtom& atom : *atoms) {
-                if (atom.klass) of(*atom.klass);
-                if (!atom.property.iri.empty()) visit_(atom.property.iri);
-            }
-    }
-    void of(const owl::ClassExpression& expression) const {
-        if (!expression.iri.empty()) visit_(expression.iri);
-        if (!expression.property.iri.empty()) visit_(expression.property.iri);
-        for (const owl::ClassPointer& operand : expression.operands) of(*operand);
-    }
-
-private:
-    const std::function<void(const Iri&)>& visit_;
-};
-
-}  // namespace
-
-void for_each_name(const owl::Axiom& axiom, const std::function<void(const Iri&)>& visit) { Names(visit).of(axiom); }
-
 std::vector<Finding> unknown_terms(const owl::Ontology& ontology) {
     static const owl::Ontology core = owl::parse_ontology(owl::core_ontology_text(), "core.ttl");
     std::set<Iri> terms;
@@ -84,7 +54,7 @@ std::vector<Finding> unknown_terms(const owl::Ontology& ontology) {
         }
     };
     for (const owl::Axiom& axiom : ontology.axioms)
-        for_each_name(axiom, [&](const Iri& iri) { look_at(iri, axiom.source); });
+        owl::for_each_name(axiom, [&](const Iri& iri) { look_at(iri, axiom.source); });
     for (const auto& [entity, annotations] : ontology.annotations)
         for (const owl::Annotation& annotation : annotations) look_at(annotation.property, annotation.source);
     for (const owl::Entity& entity : ontology.entities) look_at(entity.iri, entity.source);

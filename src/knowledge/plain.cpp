@@ -11,7 +11,9 @@
 #include <set>
 
 #include "knowledge/theory.h"
+#include "knowledge/unused_features.h"
 #include "owl/make_class.h"
+#include "owl/signature.h"
 
 namespace partonomy::knowledge {
 namespace {
@@ -229,9 +231,25 @@ std::vector<std::pair<Iri, Iri>> value_individuals(const owl::Ontology& ontology
 
 owl::Ontology plain_ontology(const owl::Ontology& ontology) {
     const Plainer plainer(ontology);
-    owl::Ontology result = ontology;
-    if (plainer.has_nothing_to_do()) return result;
-    for (Axiom& axiom : result.axioms) axiom = plainer.plain(std::move(axiom));
+    const std::set<Iri> unused = unused_features(ontology);
+    if (unused.empty() && plainer.has_nothing_to_do()) return ontology;
+    const auto is_used = [&](const Iri& name) { return !unused.contains(name); };
+    owl::Ontology result{ontology.iri, ontology.sha256, ontology.imports, {}, {}, {}};
+    for (const owl::Entity& entity : ontology.entities)
+        if (is_used(entity.iri)) result.entities.push_back(entity);
+    for (const auto& [name, annotations] : ontology.annotations)
+        if (is_used(name)) result.annotations.emplace_hint(result.annotations.end(), name, annotations);
+    result.axioms.reserve(ontology.axioms.size());
+    for (const Axiom& axiom : ontology.axioms) {
+        bool speaks_of_unused = false;
+        if (!unused.empty())
+            owl::for_each_name(axiom, [&](const Iri& name) { speaks_of_unused = speaks_of_unused || !is_used(name); });
+        if (speaks_of_unused)
+            result.axioms.push_back(
+                {AxiomKind::sub_class_of, {owl::thing(), owl::thing()}, {}, {}, {}, {}, axiom.source});
+        else
+            result.axioms.push_back(plainer.plain(axiom));
+    }
     return result;
 }
 

@@ -16,7 +16,8 @@ namespace partonomy::knowledge {
 /// - named datatypes are replaced by their definitions;
 /// - individuals that are the values of a range concept (Material EquivalentTo {oak, steel}) become classes:
 ///   `hasMaterial value oak` becomes `hasMaterial some oak`;
-/// - a rule whose body is a tree around the one variable of its head becomes a SubClassOf (roll_up).
+/// - a rule whose body is a tree around the one variable of its head becomes a SubClassOf (roll_up);
+/// - axioms about features of core that no other file speaks of (unused_features.h) say nothing: Thing SubClassOf Thing.
 /// Different names are taken to mean different values, as everywhere in a closed world.
 [[nodiscard]] owl::Ontology plain_ontology(const owl::Ontology& ontology);
 

@@ -207,3 +207,39 @@ TEST(Space, KnobsAreRead) {
     EXPECT_EQ(values[1].criteria[0].measure, "end height");
     EXPECT_EQ(values[2].question, "does it look like a stick");
 }
+
+TEST(Space, WhatADomainDoesNotSpeakOfIsNoFeatureOfIt) {
+    const auto domain_of = [](const std::string& condition) {
+        return compile(owl::parse_ontology(
+            "Prefix: : <urn:test#>\nPrefix: core: <https://w3id.org/partonomy/core#>\n"
+            "Ontology: <urn:test>\nImport: <https://w3id.org/partonomy/core>\n"
+            "Class: Plate\n  EquivalentTo: core:Region and (" +
+                condition + ")\nClass: Thing\n  EquivalentTo: core:Object and (core:hasPart some Plate)\n",
+            "small.omn"));
+    };
+    const auto names = [](const Domain& domain) {
+        std::vector<std::string> found;
+        for (const knowledge::Variable& variable : domain.regions.variables)
+            found.push_back(owl::local_name(variable.iri));
+        return found;
+    };
+    const Domain one = domain_of("core:hasShape some core:Board");
+    EXPECT_EQ(names(one), std::vector<std::string>{"Shape"});
+    EXPECT_TRUE(one.warnings.empty());
+    EXPECT_TRUE(one.numbers.empty());
+    ASSERT_EQ(one.relations.size(), 1U);  // which parts make up one composite part
+    EXPECT_EQ(one.relations[0].iri, std::string(owl::core_prefix) + "Connected");
+    // A sibling of what is named comes with it.
+    EXPECT_EQ(names(domain_of("core:hasOrientation some core:Vertical and core:hasShape some core:Shape")),
+              (std::vector<std::string>{"Shape", "Orientation"}));
+    // The hierarchy still tells all that core says.
+    const auto hierarchy = one.hierarchy();
+    const auto is_told = [&](const char* sub, const char* super) {
+        return std::ranges::find(hierarchy, std::pair<owl::Iri, owl::Iri>{std::string(owl::core_prefix) + sub,
+                                                                          std::string(owl::core_prefix) + super}) !=
+               hierarchy.end();
+    };
+    EXPECT_TRUE(is_told("Vertical", "Orientation"));
+    EXPECT_TRUE(is_told("Orientation", "Feature"));
+    EXPECT_TRUE(is_told("UpFrom", "Relation"));
+}
