@@ -82,7 +82,7 @@ TEST(Json, HoldsWhatTheDesignPromisesInStableOrder) {
     EXPECT_EQ(seat["features"]["Shape"], "Board");
     EXPECT_EQ(seat["measurements"]["thickness"], 0.05);
     EXPECT_EQ(seat["color"], "#4e79a7");
-    EXPECT_EQ(json["questions"], (nlohmann::ordered_json{{"SF", 1}, {"SI", 2}, {"T", 0}, {"TF", 0}}));
+    EXPECT_EQ(json["questions"], (nlohmann::ordered_json{{"SF", 1}, {"SI", 2}, {"T", 0}, {"TF", 0}, {"read_off", 0}}));
     ASSERT_EQ(json["trace"].size(), 2U);
     EXPECT_EQ(json["trace"][0]["question"], "find all Board in the mesh");
     EXPECT_EQ(json["trace"][0]["region"], "mesh");
