@@ -114,7 +114,9 @@ double radius_of(const std::vector<Vec3>& slice) {
 
 /// How far the middles of slices leave a straight line in the coordinate `across` of Slices, over the axis' length.
 double bend_along(const Object& object, const RegionMeasurements& region, int axis, int across) {
-    const Slices sliced(samples_of(object, region), region, axis, 10, 0.03, 0.97);
+    // The middles of a block's slices are less sure than those of a stick or a board, so they hold more points.
+    const int slices = is_stick(region.lengths) || is_board(region.lengths) ? 10 : 4;
+    const Slices sliced(samples_of(object, region), region, axis, slices, 0.03, 0.97);
     std::vector<Vec3> middles;
     for (const std::vector<Vec3>& slice : sliced.slices)
         if (slice.size() >= 5) middles.push_back(mean_of(slice));
@@ -166,7 +168,7 @@ double wall_thickness(const Object& object, const RegionMeasurements& region) {
     if (samples.points.empty() || !object.tree || !(region.lengths[2] > 0)) return nothing;
     const double lift = 1e-4 * region.lengths.norm();
     std::vector<double> ways;
-    for (std::size_t i = 0; i < samples.points.size(); i += 5) {
+    for (std::size_t i = 0; i < samples.points.size(); i += 10) {
         const Vec3 inward = -samples.normals[i];
         ways.push_back(object.tree->first_hit(samples.origins[i] + lift * inward, inward).value_or(0));
     }

@@ -13,7 +13,7 @@
 namespace partonomy {
 namespace {
 
-constexpr int sample_count = 1500;
+constexpr int sample_count = 3000;
 
 SurfaceSamples take_samples(const CalmSurface& surface, const Object& object, std::span<const std::int32_t> triangles) {
     SurfaceSamples samples;
