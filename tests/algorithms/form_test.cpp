@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/catalogue.h"
-#include "algorithms/solids.h"
+#include "shape/solids.h"
 #include "shape/part_box.h"
 
 namespace partonomy {
