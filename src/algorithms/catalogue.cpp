@@ -49,11 +49,11 @@ owl::Source source_of(const Domain& domain, const owl::Iri& iri, const std::stri
 /// The measure of that name, or an error that tells the nearest.
 template <typename Measures>
 const auto& require(const Measures& measures, const Domain& domain, const owl::Iri& iri, const std::string& name) {
-    const auto* nearest = &measures[0];
-    for (const auto& measure : measures) {
+    for (const auto& measure : measures)
         if (name == measure.name) return measure;
+    const auto* nearest = &measures[0];
+    for (const auto& measure : measures)
         if (edit_distance(name, measure.name) < edit_distance(name, nearest->name)) nearest = &measure;
-    }
     const owl::Source source = source_of(domain, iri, name);
     throw OntologyError(at(source.file, source.line,
                            fmt::format("{}: there is no measure \"{}\"; did you mean \"{}\"?", owl::local_name(iri),

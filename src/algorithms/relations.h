@@ -1,43 +1,53 @@
 #pragma once
 
-#include <array>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
 
-#include "algorithms/object.h"
+#include "algorithms/upright.h"
 #include "knowledge/domain.h"
 
 namespace partonomy {
 
-/// Axes as rows: the sides of the smallest upright box of the object, then up. They turn with the object.
-[[nodiscard]] Eigen::Matrix3d upright_frame(const Object& object);
-
-/// What relations look at in one region: T and TF read it, so it is made once.
-struct RegionPlace {
-    const PartRegion* part = nullptr;  ///< must outlive this
-    Eigen::Matrix3d frame;             ///< of its coordinates
-    Vec3 low, high;                    ///< box along the frame's axes; the third coordinate is along up
-    Vec3 centre;                       ///< mean of the surface, in the same coordinates
+/// From `low` to `high`, both included.
+struct Interval {
+    double low, high;
 };
-/// `frame` is upright_frame(object).
-[[nodiscard]] RegionPlace place_of(const Object& object, const PartRegion& part, const Eigen::Matrix3d& frame);
+
+/// Where the boxes of some regions lie, and how large the regions are: lower and upper ends of each number. Of one
+/// region both ends are the same.
+struct Surround {
+    Vec3 low_from, low_to, high_from, high_to;  ///< corners of the upright boxes
+    Vec3 size_from, size_to;                    ///< logarithms of the sides l0 >= l1 >= l2 of the smallest boxes
+};
+[[nodiscard]] Surround surround_of(const RegionPlace& place);
+void enclose(Surround& one, const Surround& other);
 
 /// One measurement between regions, by the name that core:measure gives it. The first region is the target.
 struct RelationMeasure {
-    const char* name;
+    using Regions = std::span<const RegionPlace* const>;
+    std::string name;
     std::size_t arity;
-    const char* unit;
-    const char* description;
-    double (*value)(const Object&, std::span<const RegionPlace* const>);
+    std::string unit;
+    std::string description;
+    /// nullopt when nothing can tell.
+    std::function<std::optional<double>(const Scene&, Regions)> value;
+    /// Between which numbers `value` lies for all regions within these surrounds, however roughly; so that most tuples
+    /// need not be measured. Empty: anywhere.
+    std::function<Interval(const Scene&, std::span<const Surround* const>)> range = nullptr;
 };
 [[nodiscard]] std::span<const RelationMeasure> all_relation_measures();
 [[nodiscard]] const RelationMeasure* find_relation_measure(const std::string& name);
 
 /// T: score in [0, 1] of "these regions are in the relation", the lowest of its trapezoids; >= 0.5 means yes. nullopt
-/// when nothing can tell: no criterion, or a measure of another number of regions.
-[[nodiscard]] std::optional<double> relation_score(std::span<const knowledge::Criterion> criteria, const Object& object,
-                                                   std::span<const RegionPlace* const> regions);
+/// when nothing can tell: no criterion, a measure of another number of regions, or one that has no answer for them.
+[[nodiscard]] std::optional<double> relation_score(std::span<const knowledge::Criterion> criteria, const Scene& scene,
+                                                   RelationMeasure::Regions regions);
+
+/// Whether regions within these surrounds may have a score above 0.
+[[nodiscard]] bool may_be_related(std::span<const knowledge::Criterion> criteria, const Scene& scene,
+                                  std::span<const Surround* const> surrounds);
 
 /// The trapezoid of "they touch", for an ontology that does not say it itself (core:Connected).
 [[nodiscard]] const knowledge::Criterion& touching();

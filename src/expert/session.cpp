@@ -172,7 +172,7 @@ void Session::find_connections() {
     for (std::size_t i = 0; i < regions.size(); ++i)
         for (std::size_t j = i + 1; j < regions.size(); ++j) {
             const double score =
-                relation_score(criteria, object_, std::array{&place(regions[i]), &place(regions[j])}).value_or(0);
+                relation_score(criteria, scene(), std::array{&place(regions[i]), &place(regions[j])}).value_or(0);
             lowest = std::min(lowest, std::max(score, 1 - score));
             if (score >= 0.5) connected_->emplace_back(regions[i], regions[j]);
         }
@@ -202,10 +202,14 @@ std::optional<double> Session::ask_score(int region, Question question) {
     return score;
 }
 
+const Scene& Session::scene() {
+    if (!scene_) scene_ = scene_of(object_);
+    return *scene_;
+}
+
 const RegionPlace& Session::place(int region) {
-    if (!frame_) frame_ = upright_frame(object_);
     auto found = places_.find(region);
-    if (found == places_.end()) found = places_.emplace(region, place_of(object_, part(region), *frame_)).first;
+    if (found == places_.end()) found = places_.emplace(region, place_of(scene(), part(region))).first;
     return found->second;
 }
 
@@ -220,7 +224,7 @@ std::optional<double> Session::relate(const knowledge::RelationTuple& tuple) {
         places.push_back(&place(region));
         if (places.size() > 1) references += (references.empty() ? "" : " and ") + region_name(region);
     }
-    known->second = relation_score(relation.criteria, object_, places);
+    known->second = relation_score(relation.criteria, scene(), places);
     if (!known->second) return std::nullopt;
     const double score = *known->second;
     ++related_count;

@@ -40,8 +40,8 @@ public:
     /// TF: finds which regions touch, where the ontology has composite parts. Only the first call does anything.
     void find_connections();
 
-    /// Whether the values of a variable are read off a region as soon as it is cut, so that no question is asked: numbers,
-    /// and range concepts whose values all cost 0.
+    /// Whether the values of a variable are read off a region as soon as it is cut, so that no question is asked:
+    /// numbers, and range concepts whose values all cost 0.
     [[nodiscard]] bool is_measured(int variable) const { return measured_[index(variable)] != 0; }
 
     [[nodiscard]] bool has_rest() const { return !rest_.empty(); }
@@ -87,6 +87,7 @@ private:
     std::optional<bool> ask_relation(int region, knowledge::Question question);
     /// T, counted and traced; what was asked before is not asked again.
     std::optional<double> relate(const knowledge::RelationTuple& tuple);
+    const Scene& scene();
     const RegionPlace& place(int region);
     void read_off(int region, int variable);
     /// What is known of a region now and was not in `before`, in words; not the answer to `asked` itself.
@@ -110,7 +111,7 @@ private:
     std::vector<knowledge::Answer> answers_;
     std::vector<double> answer_scores_;
     std::optional<std::vector<std::pair<int, int>>> connected_;
-    std::optional<Eigen::Matrix3d> frame_;
+    std::optional<Scene> scene_;
     std::map<int, RegionPlace> places_;  ///< of regions that relations were asked of; they point to parts_
     std::map<knowledge::RelationTuple, std::optional<double>> related_;
 };

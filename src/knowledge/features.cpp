@@ -3,7 +3,6 @@
 #include <cmath>
 #include <limits>
 #include <set>
-#include <sstream>
 
 #include "base/errors.h"
 #include "knowledge/theory.h"
@@ -53,9 +52,14 @@ std::optional<double> to_number(std::string_view text) {
 
 /// The last four words of the annotation as a trapezoid; what precedes them is the measure.
 Criterion to_criterion(const owl::Annotation& annotation, const Iri& entity, const std::string& measure) {
-    std::istringstream stream(annotation.literal.value);
-    std::vector<std::string> words;
-    for (std::string word; stream >> word;) words.push_back(word);
+    std::vector<std::string_view> words;
+    for (std::string_view rest = annotation.literal.value;;) {
+        constexpr const char* blanks = " \t\r\n";
+        rest.remove_prefix(std::min(rest.find_first_not_of(blanks), rest.size()));
+        if (rest.empty()) break;
+        words.push_back(rest.substr(0, rest.find_first_of(blanks)));
+        rest.remove_prefix(words.back().size());
+    }
     const std::string wanted = measure.empty()
                                    ? "should be a measurement and four numbers, such as \"l0/l1 1.5 2.5 inf inf\""
                                    : "should be four numbers, such as \"0.06 0.1 0.78 0.86\"";
@@ -70,7 +74,7 @@ Criterion to_criterion(const owl::Annotation& annotation, const Iri& entity, con
     if (!(a[0] <= a[1] && a[1] <= a[2] && a[2] <= a[3]))
         refuse_knob(annotation, entity, "has its numbers out of order; they should ascend");
     std::string name = measure;
-    for (std::size_t i = 0; i + 4 < words.size(); ++i) name += (i > 0 ? " " : "") + words[i];
+    for (std::size_t i = 0; i + 4 < words.size(); ++i) name.append(i > 0 ? " " : "").append(words[i]);
     return {name, a[0], a[1], a[2], a[3]};
 }
 

@@ -112,9 +112,9 @@ TEST(CompositeParts, PartsOfSeveralShellsTouchWhereTheyMeet) {
         for (const PartRegion& b : whole.candidates) {
             if (&a == &b) continue;
             const auto touch = [&](const Object& in) {
-                const Eigen::Matrix3d frame = upright_frame(in);
-                const RegionPlace x = place_of(in, a, frame), y = place_of(in, b, frame);
-                return relation_score(std::span(&touching(), 1), in, std::array{&x, &y}).value();
+                const Scene scene = scene_of(in);
+                const RegionPlace x = place_of(scene, a), y = place_of(scene, b);
+                return relation_score(std::span(&touching(), 1), scene, std::array{&x, &y}).value();
             };
             EXPECT_EQ(touch(whole) >= 0.5, touch(pieces) >= 0.5);
         }

@@ -14,6 +14,7 @@
 #include "examples/solid.h"
 #include "examples/transforms.h"
 #include "expert/furniture.h"
+#include "shape/part_box.h"
 
 namespace partonomy {
 namespace {
@@ -212,11 +213,15 @@ TEST(Relations, MeasuresOfBoxes) {
     std::vector<PartRegion> parts(3);
     for (int t = 0; t < 36; ++t) parts[static_cast<std::size_t>(t / 12)].region.triangles.push_back(t);
     std::vector<RegionPlace> places;
-    for (const PartRegion& part : parts) places.push_back(place_of(object, part, upright_frame(object)));
+    const Scene scene = scene_of(object);
+    for (PartRegion& part : parts) {
+        part.box = measure_part(object.mesh, object.geometry, part.region.triangles).box;
+        places.push_back(place_of(scene, part));
+    }
     const RegionPlace *a = &places[0], *b = &places[1], *c = &places[2];
     const double diagonal = std::sqrt(9.0 + 1 + 4);
     const auto measured = [&](const char* name, const std::vector<const RegionPlace*>& regions) {
-        return find_relation_measure(name)->value(object, regions);
+        return find_relation_measure(name)->value(scene, regions).value();
     };
     EXPECT_NEAR(measured("gap", {a, b}), 0.25 / diagonal, 1e-12);
     EXPECT_NEAR(measured("gap", {b, a}), 0.25 / diagonal, 1e-12);
@@ -229,7 +234,7 @@ TEST(Relations, MeasuresOfBoxes) {
     EXPECT_NEAR(measured("level overlap", {a, b}), 0, 1e-12);
     EXPECT_NEAR(measured("footprint overlap", {a, b}), 1, 1e-12);
     EXPECT_NEAR(measured("opening angle", {a, b, c}), 90, 1e-9);
-    EXPECT_FALSE(relation_score(std::span(&touching(), 1), object, std::vector<const RegionPlace*>{a, b, c}));
+    EXPECT_FALSE(relation_score(std::span(&touching(), 1), scene, std::vector<const RegionPlace*>{a, b, c}));
 }
 
 // The second opinion: points all over both triangles.
@@ -248,10 +253,9 @@ TEST(Relations, GapIsThatOfTheNearestPoints) {
         object.geometry = compute_geometry(object.mesh);
         std::vector<PartRegion> parts(2);
         for (int t = 0; t < 2; ++t) parts[static_cast<std::size_t>(t)].region.triangles = {t};
-        const Eigen::Matrix3d frame = upright_frame(object);
-        const RegionPlace a = place_of(object, parts[0], frame), b = place_of(object, parts[1], frame);
-        const double gap =
-            find_relation_measure("gap")->value(object, std::array{&a, &b}) * compute_bounds(object.mesh).diagonal();
+        const Scene scene = scene_of(object);
+        const RegionPlace a = place_of(scene, parts[0]), b = place_of(scene, parts[1]);
+        const double gap = *find_relation_measure("gap")->value(scene, std::array{&a, &b}) * scene.diagonal;
         constexpr int steps = 24;
         const auto points = [&](std::size_t t) {
             std::vector<Vec3> all;

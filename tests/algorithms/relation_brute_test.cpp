@@ -1,0 +1,449 @@
+/* Every relation measure against a second opinion that is computed from raw triangles by sampling and counting, on all
+ * tuples of random scenes; T against the trapezoids of all its measures, without shortcuts; and what each measure tells
+ * of whole groups of regions against its values on them. */
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "algorithms/solids.h"
+#include "shape/membership.h"
+
+namespace partonomy {
+namespace {
+
+using solids::Block;
+using solids::Stage;
+using Tuple = std::vector<int>;
+
+constexpr double degrees = 180 / std::numbers::pi;
+
+/// Of one region: its corners and points all over it, in the coordinates in which the scene was built.
+struct Sampled {
+    std::vector<std::array<Vec3, 3>> triangles;
+    std::vector<Vec3> corners, points;  ///< points: each stands for the same share of a triangle
+    std::vector<double> weights;        ///< of points: areas
+    Vec3 low = Vec3::Constant(1e300), high = Vec3::Constant(-1e300), mean = Vec3::Zero();
+    Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+    Block block;
+};
+
+Sampled sample(std::vector<std::array<Vec3, 3>> triangles, const Block& block) {
+    Sampled s;
+    s.triangles = std::move(triangles);
+    s.block = block;
+    double area = 0;
+    constexpr int steps = 16;
+    for (const auto& t : s.triangles) {
+        const double part = (t[1] - t[0]).cross(t[2] - t[0]).norm() / 2 / (steps * steps);
+        for (const Vec3& corner : t) {
+            s.corners.push_back(corner);
+            s.low = s.low.cwiseMin(corner);
+            s.high = s.high.cwiseMax(corner);
+        }
+        for (int i = 0; i < steps; ++i)
+            for (int j = 0; i + j < steps; ++j)
+                for (const double third : {1 / 3.0, 2 / 3.0}) {  // middles of both kinds of small triangles
+                    if (third > 0.5 && i + j + 1 >= steps) continue;
+                    const double u = (i + third) / steps, v = (j + third) / steps;
+                    s.points.emplace_back(t[0] + u * (t[1] - t[0]) + v * (t[2] - t[0]));
+                    s.weights.push_back(part);
+                    area += part;
+                }
+    }
+    for (std::size_t i = 0; i < s.points.size(); ++i) s.mean += s.weights[i] / area * s.points[i];
+    for (std::size_t i = 0; i < s.points.size(); ++i)
+        s.moments += s.weights[i] / area * (s.points[i] - s.mean) * (s.points[i] - s.mean).transpose();
+    return s;
+}
+
+/// Distance of a point to the surface of a box, from outside or inside.
+double to_wall(const Block& block, const Vec3& point) {
+    const Vec3 p = (block.axes.transpose() * (point - block.centre)).cwiseAbs() - block.half;
+    return p.maxCoeff() > 0 ? p.cwiseMax(0.0).norm() : -p.maxCoeff();
+}
+
+/// All that a second opinion looks at.
+struct World {
+    std::vector<Sampled> regions;
+    Vec3 low = Vec3::Constant(1e300), high = Vec3::Constant(-1e300);
+    [[nodiscard]] double diagonal() const { return (high - low).norm(); }
+    [[nodiscard]] double height() const { return high.z() - low.z(); }
+};
+
+/// Longest sides first.
+Vec3 sides(const Block& block) {
+    Vec3 l = 2 * block.half;
+    std::sort(l.data(), l.data() + 3, std::greater<>());
+    return l;
+}
+
+struct Direction {
+    bool is_stick;
+    std::vector<Vec3> vectors;
+};
+
+Direction direction(const Block& block) {
+    const Vec3 l = sides(block);
+    std::vector<Vec3> by_length(3);
+    for (int i = 0; i < 3; ++i) {
+        int rank = 0;
+        for (int j = 0; j < 3; ++j) rank += block.half[j] > block.half[i] || (block.half[j] == block.half[i] && j < i);
+        by_length[static_cast<std::size_t>(rank)] = block.axes.col(i);
+    }
+    if (l[0] >= 2 * l[1] && l[1] < 2 * l[2]) return {true, {by_length[0]}};
+    Direction result{false, {by_length[2]}};
+    for (const int i : {1, 0})
+        if (l[i] < 1.25 * l[2]) result.vectors.push_back(by_length[static_cast<std::size_t>(i)]);
+    return result;
+}
+
+double smallest_angle(const Block& a, const Block& b, bool from_right) {
+    const Direction x = direction(a), y = direction(b);
+    double least = 90;
+    for (const Vec3& u : x.vectors)
+        for (const Vec3& v : y.vectors) {
+            double angle = std::acos(std::min(1.0, std::abs(u.dot(v)))) * degrees;
+            if (x.is_stick != y.is_stick) angle = 90 - angle;
+            least = std::min(least, from_right ? 90 - angle : angle);
+        }
+    return least;
+}
+
+double overlap(const Sampled& a, const Sampled& b, int axis) {
+    const double shorter = std::min(a.high[axis] - a.low[axis], b.high[axis] - b.low[axis]);
+    return std::clamp((std::min(a.high[axis], b.high[axis]) - std::max(a.low[axis], b.low[axis])) / shorter, 0.0, 1.0);
+}
+
+/// Points along the edges of one that are near the other.
+void contacts(const Sampled& one, const Sampled& other, double reach, std::vector<Vec3>& points) {
+    for (const auto& t : one.triangles)
+        for (std::size_t i = 0; i < 3; ++i)
+            for (int k = 0; k <= 200; ++k) {
+                const Vec3 p = t[i] + k / 200.0 * (t[(i + 1) % 3] - t[i]);
+                if (to_wall(other.block, p) <= reach) points.push_back(p);
+            }
+}
+
+/// Where a ray in a plane across an axis goes into the solid box and out of it again.
+std::optional<std::pair<double, double>> through(const Block& block, const Vec3& from, const Vec3& way) {
+    const Vec3 p = block.axes.transpose() * (from - block.centre), d = block.axes.transpose() * way;
+    double in = -1e300, out = 1e300;
+    for (int i = 0; i < 3; ++i) {
+        if (std::abs(d[i]) < 1e-12) {
+            if (std::abs(p[i]) > block.half[i] + 1e-12) return std::nullopt;
+            continue;
+        }
+        const double a = (-block.half[i] - p[i]) / d[i], b = (block.half[i] - p[i]) / d[i];
+        in = std::max(in, std::min(a, b));
+        out = std::min(out, std::max(a, b));
+    }
+    if (in > out || out < 0) return std::nullopt;
+    return std::pair(in, out);
+}
+
+/// Looks out of the reference's middle at many levels.
+double encircled(const Sampled& target, const Sampled& reference) {
+    constexpr int ways = 72, levels = 150;
+    const Vec3 centre = (reference.low + reference.high) / 2;
+    double most = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        int count = 0;
+        std::vector<std::pair<double, bool>> heights;  // and whether a face of the target may lie in the level
+        for (int k = 0; k <= levels; ++k)
+            heights.emplace_back(reference.low[axis] + k * (reference.high[axis] - reference.low[axis]) / levels,
+                                 false);
+        for (const double face : {target.low[axis], target.high[axis]})
+            if (target.block.axes.row(axis).cwiseAbs().maxCoeff() > 1 - 1e-9 && face >= reference.low[axis] &&
+                face <= reference.high[axis])
+                heights.emplace_back(face, true);
+        for (int k = 0; k < ways; ++k) {
+            const double angle = 2 * std::numbers::pi * (k + 0.5) / ways;
+            Vec3 way = Vec3::Zero(), from = centre;
+            way[(axis + 1) % 3] = std::cos(angle);
+            way[(axis + 2) % 3] = std::sin(angle);
+            double near = 1e300, far = -1;
+            for (const auto& [height, is_face] : heights) {
+                from[axis] = height;
+                if (const auto hit = through(reference.block, from, way)) far = std::max(far, hit->second);
+                if (const auto hit = through(target.block, from, way))
+                    near = std::min(near, hit->first >= 0 ? hit->first : is_face ? 0 : hit->second);
+            }
+            count += near < 1e300 && near > 0 && near >= 0.9 * far;
+        }
+        most = std::max(most, static_cast<double>(count) / ways);
+    }
+    return most;
+}
+
+/// A second opinion on a measure, and how far it may be off.
+struct Opinion {
+    double value, tolerance;
+};
+
+Opinion opinion(const std::string& name, const World& world, const Tuple& tuple) {
+    const Sampled &t = world.regions[static_cast<std::size_t>(tuple[0])],
+                  &r = world.regions[static_cast<std::size_t>(tuple[1])];
+    const double exact = 1e-6, diagonal = world.diagonal();
+    const Vec3 middle = (t.low + t.high) / 2, other_middle = (r.low + r.high) / 2;
+    const Vec3 apart = (t.low - r.high).cwiseMax(r.low - t.high);
+    const Vec3 lt = sides(t.block), lr = sides(r.block);
+    if (name == "gap") {  // the nearer of the points of each to the other's walls
+        double least = 1e300;
+        for (const auto& [a, b] : {std::pair(&t, &r), std::pair(&r, &t)})
+            for (const auto& points : {a->points, a->corners})
+                for (const Vec3& p : points) least = std::min(least, to_wall(b->block, p));
+        return {least / diagonal, 0.015};
+    }
+    if (name == "contact") {
+        std::vector<Vec3> points;
+        contacts(t, r, 0.01 * diagonal, points);
+        contacts(r, t, 0.01 * diagonal, points);
+        double longest = 0;
+        for (std::size_t i = 0; i < points.size(); i += 2)
+            for (std::size_t j = i; j < points.size(); ++j) longest = std::max(longest, (points[i] - points[j]).norm());
+        return {longest / std::min(lt[0], lr[0]), 0.05};
+    }
+    if (name == "inside share") {
+        double inside = 0, all = 0;
+        for (std::size_t i = 0; i < t.points.size(); ++i) {
+            const Vec3 p = (r.block.axes.transpose() * (t.points[i] - r.block.centre)).cwiseAbs() - r.block.half;
+            all += t.weights[i];
+            if (p.maxCoeff() <= 0) inside += t.weights[i];
+        }
+        return {inside / all, 0.03};
+    }
+    if (name == "encirclement") return {encircled(t, r), 0.06};
+    if (name == "rise") return {(middle.z() - r.high.z()) / world.height(), exact};
+    if (name == "drop") return {(r.low.z() - middle.z()) / world.height(), exact};
+    if (name == "side step") return {apart.head<2>().cwiseMax(0.0).norm() / diagonal, exact};
+    if (name == "level overlap") return {overlap(t, r, 2), exact};
+    if (name == "footprint overlap") return {overlap(t, r, 0) * overlap(t, r, 1), exact};
+    if (name == "ahead") return {(r.low.y() - middle.y()) / diagonal, exact};  // the scene faces low y
+    if (name == "behind") return {(middle.y() - r.high.y()) / diagonal, exact};
+    if (name == "row offset") {
+        Vec3 d = (middle - other_middle).cwiseAbs();
+        std::sort(d.data(), d.data() + 3);
+        return {d[1] / diagonal, exact};
+    }
+    if (name == "opening angle") {
+        const Sampled& second = world.regions[static_cast<std::size_t>(tuple[2])];
+        const Vec3 a = t.mean.cwiseMax(r.low).cwiseMin(r.high) - t.mean;
+        const Vec3 b = t.mean.cwiseMax(second.low).cwiseMin(second.high) - t.mean;
+        if (a.norm() == 0 || b.norm() == 0) return {0, exact};
+        return {std::acos(std::clamp(a.normalized().dot(b.normalized()), -1.0, 1.0)) * degrees, 1e-3};
+    }
+    if (name == "angle") return {smallest_angle(t.block, r.block, false), 0.01};
+    if (name == "off square") return {smallest_angle(t.block, r.block, true), 0.01};
+    if (name == "plane offset" || name == "line offset") {
+        const Direction x = direction(t.block), y = direction(r.block);
+        const bool planes = name == "plane offset";
+        if (x.vectors.size() > 1 || y.vectors.size() > 1 || x.is_stick == planes || y.is_stick == planes)
+            return {std::numeric_limits<double>::infinity(), 0};
+        double offset = 0;
+        for (const Vec3& way : {x.vectors[0], y.vectors[0]}) {
+            const Vec3 between = t.block.centre - r.block.centre;
+            const double along = between.dot(way), thicker = (lt[2] - lr[2]) / 2;
+            offset = std::max(offset,
+                              planes ? std::min({std::abs(along), std::abs(along + thicker), std::abs(along - thicker)})
+                                     : (between - along * way).norm());
+        }
+        return {offset / diagonal, 1e-4};
+    }
+    if (name == "mirror offset") {
+        double least = 1e300;
+        for (const int axis : {0, 1}) {
+            Sampled mirrored = t;
+            for (Vec3& p : mirrored.points) p[axis] = world.low[axis] + world.high[axis] - p[axis];
+            Vec3 mean = Vec3::Zero();
+            Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+            double area = 0;
+            for (const double weight : mirrored.weights) area += weight;
+            for (std::size_t i = 0; i < mirrored.points.size(); ++i)
+                mean += mirrored.weights[i] / area * mirrored.points[i];
+            for (std::size_t i = 0; i < mirrored.points.size(); ++i)
+                moments +=
+                    mirrored.weights[i] / area * (mirrored.points[i] - mean) * (mirrored.points[i] - mean).transpose();
+            const double size = std::sqrt(std::max(moments.trace(), r.moments.trace()));
+            least =
+                std::min(least, std::max((mean - r.mean).norm(), (moments - r.moments).cwiseAbs().maxCoeff() / size));
+        }
+        return {least / diagonal, 2e-3};
+    }
+    if (name == "size difference") return {(lt.array() / lr.array()).log().abs().maxCoeff(), 1e-4};
+    if (name == "shape difference") {
+        const auto spread = [](const Sampled& s, double length) {  // along the box's side of that length
+            for (int i = 0; i < 3; ++i)
+                if (2 * s.block.half[i] == length) {
+                    const Vec3 axis = s.block.axes.col(i);
+                    return axis.dot(s.moments * axis) / (length * length);
+                }
+            return 0.0;
+        };
+        double most = std::max(std::abs(std::log(lt[0] / lt[1] / (lr[0] / lr[1]))),
+                               std::abs(std::log(lt[1] / lt[2] / (lr[1] / lr[2]))));
+        for (const int i : {0, 1}) most = std::max(most, std::abs(std::log(spread(t, lt[i]) / spread(r, lr[i]))));
+        return {most, 0.02};
+    }
+    ADD_FAILURE() << "no second opinion on \"" << name << "\"";
+    return {0, 0};
+}
+
+/// Random boxes over a plate that tells the frame, and a board that tells the front.
+struct RandomScene {
+    std::vector<Block> blocks;
+    Stage stage{{}};
+    World world;
+
+    RandomScene(std::mt19937& random, int count) {
+        std::uniform_real_distribution<double> any(0, 1);
+        blocks.push_back({{1, 0.6, -0.05}, {1, 0.6, 0.05}});
+        blocks.push_back({{1, 1.15, 0.56}, {1, 0.05, 0.55}});
+        while (static_cast<int>(blocks.size()) < count) {
+            const double kind = any(random);
+            Vec3 half = Vec3(0.1, 0.12, 0.14) * (0.7 + 0.6 * any(random));
+            if (kind < 0.35) half = Vec3(0.3, 0.05, 0.06) * (0.7 + 0.6 * any(random));
+            if (kind > 0.65) half = Vec3(0.25, 0.3, 0.03) * (0.7 + 0.6 * any(random));
+            Block block{{0.45 + 1.1 * any(random), 0.45 + 0.3 * any(random), 0.4 + 0.3 * any(random)}, half};
+            if (any(random) < 0.4)  // as it is, or turned anyhow
+                block.axes =
+                    Eigen::AngleAxisd(0.2 + 0.8 * any(random), Vec3(any(random), any(random), any(random)).normalized())
+                        .toRotationMatrix();
+            if (any(random) < 0.3) {  // the mirror image or the twin of an earlier one
+                const Block& twin =
+                    blocks[static_cast<std::size_t>(2 + any(random) * static_cast<double>(blocks.size() - 2)) %
+                           blocks.size()];
+                block = twin;
+                if (any(random) < 0.5) {
+                    block.centre.x() = 2 - block.centre.x();
+                    block.axes.row(0) *= -1;
+                    block.axes.col(0) *= -1;
+                } else {
+                    block.centre += Vec3(0.3 * any(random), 0.1, 0.013);
+                }
+            }
+            if (blocks.size() > 2 || block.half.maxCoeff() < 0.5) blocks.push_back(block);
+        }
+        const solids::Motion motion = solids::random_motion(random, 0);
+        for (const Block& block : blocks) stage.add(block);
+        stage.move(motion, random);
+        stage.finish();
+        const Eigen::AngleAxisd back(-motion.degrees / degrees, Vec3::UnitZ());
+        for (std::size_t i = 0; i < blocks.size(); ++i) {
+            std::vector<std::array<Vec3, 3>> triangles;
+            for (const std::int32_t t : stage.parts[i].region.triangles) {
+                std::array<Vec3, 3> corners;
+                for (std::size_t k = 0; k < 3; ++k)
+                    corners[k] = back * ((stage.object.mesh.positions[static_cast<std::size_t>(
+                                              stage.object.mesh.triangles[static_cast<std::size_t>(t)][k])] -
+                                          motion.shift) /
+                                         motion.scale);
+                triangles.push_back(corners);
+            }
+            world.regions.push_back(sample(std::move(triangles), blocks[i]));
+            world.low = world.low.cwiseMin(world.regions.back().low);
+            world.high = world.high.cwiseMax(world.regions.back().high);
+        }
+    }
+};
+
+std::vector<Tuple> all_tuples(int regions, std::size_t arity) {
+    std::vector<Tuple> tuples;
+    for (int a = 0; a < regions; ++a)
+        for (int b = 0; b < regions; ++b) {
+            if (a == b) continue;
+            if (arity == 2) tuples.push_back({a, b});
+            for (int c = b + 1; arity == 3 && c < regions; ++c)
+                if (c != a) tuples.push_back({a, b, c});
+        }
+    return tuples;
+}
+
+const std::vector<knowledge::Relation>& relations() {
+    static const knowledge::Domain domain =
+        knowledge::compile(owl::load_ontology(PARTONOMY_SOURCE_DIR "/ontologies/furniture.ttl"));
+    return domain.relations;
+}
+
+TEST(RelationBrute, MeasuresOfAllTuples) {
+    std::map<std::string, int> compared;
+    for (unsigned seed = 1; seed <= 8; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        std::mt19937 random(seed);
+        const RandomScene scene(random, 7);
+        for (const RelationMeasure& measure : all_relation_measures())
+            for (const Tuple& tuple : all_tuples(7, measure.arity)) {
+                if (std::ranges::min(tuple) < 2 && measure.name == "gap")
+                    continue;  // large walls are sampled too thinly
+                const Opinion second = opinion(measure.name, scene.world, tuple);
+                const auto value = measure.value(scene.stage.scene, scene.stage.at(tuple));
+                ASSERT_TRUE(value) << measure.name;
+                ++compared[measure.name];
+                if (std::isinf(second.value))
+                    EXPECT_EQ(*value, second.value);
+                else
+                    EXPECT_NEAR(*value, second.value, second.tolerance)
+                        << measure.name << " " << tuple[0] << " " << tuple[1];
+            }
+    }
+    for (const auto& [name, count] : compared) EXPECT_GE(count, 100) << name;
+}
+
+/// T is the lowest trapezoid of all its measures, whatever it left out.
+TEST(RelationBrute, ShortcutsChangeNothing) {
+    int related = 0;
+    for (unsigned seed = 21; seed <= 32; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        std::mt19937 random(seed);
+        const RandomScene scene(random, 9);
+        for (const knowledge::Relation& relation : relations())
+            for (const Tuple& tuple : all_tuples(9, relation.arity)) {
+                double lowest = 1;
+                for (const knowledge::Criterion& c : relation.criteria)
+                    lowest =
+                        std::min(lowest, Trapezoid{c.a1, c.a2, c.a3, c.a4}(*find_relation_measure(c.measure)->value(
+                                             scene.stage.scene, scene.stage.at(tuple))));
+                const auto score = relation_score(relation.criteria, scene.stage.scene, scene.stage.at(tuple));
+                ASSERT_TRUE(score);
+                EXPECT_EQ(*score, lowest) << relation.iri;
+                related += lowest >= 0.5;
+            }
+    }
+    EXPECT_GT(related, 1000);
+}
+
+/// A group's range holds the values of all its members.
+TEST(RelationBrute, RangesOfGroupsHoldTheirValues) {
+    for (unsigned seed = 41; seed <= 44; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        std::mt19937 random(seed);
+        const RandomScene scene(random, 10);
+        for (int round = 0; round < 40; ++round) {
+            std::vector<std::vector<int>> groups(3);  // of disjoint regions
+            for (int region = 0; region < 10; ++region) groups[random() % 3].push_back(region);
+            if (std::ranges::any_of(groups, &std::vector<int>::empty)) continue;
+            std::vector<Surround> surrounds;
+            for (const std::vector<int>& group : groups) {
+                surrounds.push_back(surround_of(scene.stage.places[static_cast<std::size_t>(group[0])]));
+                for (const int region : group)
+                    enclose(surrounds.back(), surround_of(scene.stage.places[static_cast<std::size_t>(region)]));
+            }
+            const std::vector<const Surround*> pointers{&surrounds[0], &surrounds[1], &surrounds[2]};
+            for (const RelationMeasure& measure : all_relation_measures()) {
+                if (!measure.range) continue;
+                const Interval range = measure.range(scene.stage.scene, std::span(pointers).first(measure.arity));
+                for (const int a : groups[0])
+                    for (const int b : groups[1])
+                        for (const int c : measure.arity == 3 ? groups[2] : std::vector{-1}) {
+                            const Tuple tuple = c < 0 ? Tuple{a, b} : Tuple{a, b, c};
+                            const double value = *measure.value(scene.stage.scene, scene.stage.at(tuple));
+                            EXPECT_GE(value, range.low - 1e-9) << measure.name;
+                            EXPECT_LE(value, range.high + 1e-9) << measure.name;
+                        }
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace partonomy
