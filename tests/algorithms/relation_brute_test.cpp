@@ -7,6 +7,7 @@
 #include <map>
 
 #include "algorithms/solids.h"
+#include "knowledge/theory.h"
 #include "shape/membership.h"
 
 namespace partonomy {
@@ -360,9 +361,9 @@ std::vector<Tuple> all_tuples(int regions, std::size_t arity) {
 }
 
 const std::vector<knowledge::Relation>& relations() {
-    static const knowledge::Domain domain =
-        knowledge::compile(owl::load_ontology(PARTONOMY_SOURCE_DIR "/ontologies/furniture.ttl"));
-    return domain.relations;
+    static const std::vector<knowledge::Relation> all =
+        knowledge::find_relations(owl::parse_ontology(owl::core_ontology_text(), "core.ttl"));
+    return all;
 }
 
 TEST(RelationBrute, MeasuresOfAllTuples) {

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "algorithms/solids.h"
+#include "knowledge/theory.h"
 
 namespace partonomy {
 namespace {
@@ -15,9 +16,9 @@ using solids::block;
 using solids::Stage;
 
 const knowledge::Relation& relation(const std::string& name) {
-    static const knowledge::Domain domain =
-        knowledge::compile(owl::load_ontology(PARTONOMY_SOURCE_DIR "/ontologies/furniture.ttl"));
-    for (const knowledge::Relation& each : domain.relations)
+    static const std::vector<knowledge::Relation> all =
+        knowledge::find_relations(owl::parse_ontology(owl::core_ontology_text(), "core.ttl"));
+    for (const knowledge::Relation& each : all)
         if (owl::local_name(each.iri) == name) return each;
     throw std::invalid_argument(name);
 }
@@ -222,10 +223,10 @@ TEST(RelationCases, NoiseDoesNotTurnThemRound) {
 TEST(RelationCases, CoverTheCore) {
     std::map<std::string, std::set<Truth>> tested;
     for (const Case& each : cases()) tested[each.relation].insert(each.truth);
-    const knowledge::Domain domain =
-        knowledge::compile(owl::load_ontology(PARTONOMY_SOURCE_DIR "/ontologies/furniture.ttl"));
-    EXPECT_GE(domain.relations.size(), 20U);
-    for (const knowledge::Relation& each : domain.relations) {
+    const std::vector<knowledge::Relation> all =
+        knowledge::find_relations(owl::parse_ontology(owl::core_ontology_text(), "core.ttl"));
+    EXPECT_GE(all.size(), 20U);
+    for (const knowledge::Relation& each : all) {
         const std::set<Truth>& truths = tested[owl::local_name(each.iri)];
         EXPECT_TRUE(truths.contains(Truth::yes) && truths.contains(Truth::no)) << each.iri;
     }
