@@ -13,10 +13,12 @@
 #include <set>
 #include <utility>
 
+#include "algorithms/appearance.h"
 #include "app/commands.h"
 #include "base/errors.h"
 #include "expert/annotate.h"
 #include "expert/place.h"
+#include "mesh/appearance.h"
 #include "mesh/read_mesh.h"
 #include "report/write.h"
 #include "report/write_all.h"
@@ -30,7 +32,10 @@ struct Arguments {
     std::vector<std::string> meshes;
     OntologyArguments ontology;
     std::string output = "out";
-    std::string up = "z", unit = "m", strategy = "expert", criterion = "gain-per-cost";
+    std::string up = "z", unit = "m";
+    bool up_is_told = false;  ///< by the user; otherwise a glTF file tells its own
+    bool unit_is_told = false;
+    std::string strategy = "expert", criterion = "gain-per-cost";
     std::vector<std::string> formats = {"labels", "json", "ply", "glb", "png", "trace"};
     int threads = 0;
     bool quiet = false, json = false;
@@ -100,29 +105,36 @@ struct Input {
     MeshReport report;
     std::string sha256;
     double read_ms = 0;
+    std::string up, unit;  ///< as words
 };
 
 Input read_input(const Arguments& arguments, const std::string& mesh_path) {
     Stopwatch watch;
     LoadedMesh loaded = read_mesh(mesh_path);
     const double read_ms = watch.lap();
-    const Vec3 up = arguments.up == "auto" ? resting_up(loaded.mesh) : parse_up(arguments.up);
-    const Placement placement{up, parse_unit(arguments.unit)};
-    return {make_object(std::move(loaded.mesh), placement, arguments.threads), std::move(loaded.report),
-            std::move(loaded.sha256), read_ms};
+    const std::string up_word = loaded.is_gltf && !arguments.up_is_told ? "y" : arguments.up;
+    const std::string unit = loaded.is_gltf && !arguments.unit_is_told ? "m" : arguments.unit;
+    const Vec3 up = up_word == "auto" ? resting_up(loaded.mesh) : parse_up(up_word);
+    const Placement placement{up, parse_unit(unit)};
+    return {make_object(std::move(loaded.mesh), placement, arguments.threads),
+            std::move(loaded.report),
+            std::move(loaded.sha256),
+            read_ms,
+            up_word,
+            unit};
 }
 
 /// What was found of up axis and unit, also as the first lines of the trace.
-void tell(const Placing& placing, const Arguments& arguments, double ms, Annotation& annotation) {
+void tell(const Placing& placing, const Input& input, double ms, Annotation& annotation) {
     annotation.up = placing.up;
     annotation.unit = placing.unit;
     annotation.up_confidence = placing.up_confidence;
     annotation.unit_confidence = placing.unit_confidence;
     annotation.timings_ms.emplace_back("find up and unit", ms);
     std::vector<TraceEntry> found;
-    if (arguments.up == "auto")
+    if (input.up == "auto")
         found.push_back({"auto", "which axis points up", "mesh", placing.up, placing.up_confidence, {}, ms});
-    if (arguments.unit == "auto")
+    if (input.unit == "auto")
         found.push_back({"auto", "which unit is it in", "mesh", placing.unit, placing.unit_confidence, {}, 0});
     annotation.trace.insert(annotation.trace.begin(), found.begin(), found.end());
 }
@@ -141,10 +153,15 @@ Annotation annotate_file(const Arguments& arguments, const Knowhow& knowhow, Inp
                          const fs::path& folder, const Progress& progress) {
     Stopwatch watch;
     std::optional<Placing> placing;
-    if (arguments.up == "auto" || arguments.unit == "auto") {
+    if (needs_appearance(knowhow.catalogue)) {
+        progress.show(fmt::format("{}: looking", mesh_path));
+        paint(input.object, read_appearance(mesh_path, input.sha256, input.object.mesh));
+        input.read_ms += watch.lap();
+    }
+    if (input.up == "auto" || input.unit == "auto") {
         progress.show(fmt::format("{}: placing", mesh_path));
-        placing = find_placement(knowhow.domain, knowhow.catalogue, input.object,
-                                 {arguments.up, arguments.unit, arguments.threads});
+        placing =
+            find_placement(knowhow.domain, knowhow.catalogue, input.object, {input.up, input.unit, arguments.threads});
     }
     const double placing_ms = watch.lap();
     progress.show(fmt::format("{}: asking", mesh_path));
@@ -160,9 +177,9 @@ Annotation annotate_file(const Arguments& arguments, const Knowhow& knowhow, Inp
     annotation.ontology_file = arguments.ontology.path;
     annotation.ontology_iri = knowhow.domain.ontology.iri;
     annotation.ontology_sha256 = knowhow.domain.ontology.sha256;
-    annotation.up = arguments.up;
-    annotation.unit = object.placement.metres_per_unit ? arguments.unit : "unknown";
-    if (placing) tell(*placing, arguments, placing_ms, annotation);
+    annotation.up = input.up;
+    annotation.unit = object.placement.metres_per_unit ? input.unit : "unknown";
+    if (placing) tell(*placing, input, placing_ms, annotation);
     annotation.strategy = arguments.strategy;
 
     progress.show(fmt::format("{}: writing", mesh_path));
@@ -254,17 +271,19 @@ int run_annotate(const Arguments& arguments) {
 void add_annotate_command(CLI::App& app, Run& run) {
     auto arguments = std::make_shared<Arguments>();
     CLI::App& command = *app.add_subcommand("annotate", "cut meshes into named parts");
-    command.add_option("MESH", arguments->meshes, "OFF, OBJ, STL or PLY files")->required();
+    command.add_option("MESH", arguments->meshes, "OFF, OBJ, STL, PLY, glTF or GLB files")->required();
     arguments->ontology.add_to(command, false);
     command
         .add_option("-o,--output", arguments->output, "folder to write to; each mesh gets a folder of its own in it")
         ->capture_default_str();
-    command.add_option("--up", arguments->up, "axis that points up: x, -x, y, -y, z, -z; auto finds it")
-        ->capture_default_str();
-    command
-        .add_option("--unit", arguments->unit,
-                    "unit of the file: m, cm, mm, in; auto finds it, or leaves questions of size open")
-        ->capture_default_str();
+    const CLI::Option* up =
+        command.add_option("--up", arguments->up, "axis that points up: x, -x, y, -y, z, -z; auto finds it (glTF: y)")
+            ->capture_default_str();
+    const CLI::Option* unit =
+        command
+            .add_option("--unit", arguments->unit,
+                        "unit of the file: m, cm, mm, in; auto finds it, or leaves questions of size open")
+            ->capture_default_str();
     command.add_option("--strategy", arguments->strategy, "expert, naive or segment-then-identify")
         ->capture_default_str();
     command.add_option("--criterion", arguments->criterion, "gain-per-cost or dichotomy")->capture_default_str();
@@ -276,7 +295,11 @@ void add_annotate_command(CLI::App& app, Run& run) {
         ->capture_default_str();
     command.add_flag("--quiet,-q", arguments->quiet, "print nothing but errors");
     command.add_flag("--json", arguments->json, "print each annotation on standard output");
-    command.callback([arguments, &run] { run = [arguments] { return run_annotate(*arguments); }; });
+    command.callback([arguments, up, unit, &run] {
+        arguments->up_is_told = up->count() > 0;
+        arguments->unit_is_told = unit->count() > 0;
+        run = [arguments] { return run_annotate(*arguments); };
+    });
 }
 
 }  // namespace partonomy::app

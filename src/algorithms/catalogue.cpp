@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algorithms/appearance.h"
 #include "algorithms/relations.h"
 #include "base/errors.h"
 #include "base/spelling.h"
@@ -32,9 +33,12 @@ constexpr double find_all_cost = 20;  ///< one `find all` against one `is a`: it
 
 constexpr double related_cost = 2;  ///< T, some of them: it looks at other regions, too
 
-/// Shapes that find_parts cuts: what a region of a box-like partition can be told to be.
-bool has_find_all(const std::string& local_name) {
-    return local_name == "Board" || local_name == "Stick" || local_name == "Cube";
+/// Shapes that find_parts cuts, and colours, along whose borders its regions are cut further: what a region of such a
+/// partition can be told to be.
+bool has_find_all(const owl::Iri& range, const std::string& local_name) {
+    if (range == std::string(owl::core_prefix) + "Colour") return true;
+    return range == std::string(owl::core_prefix) + "Shape" &&
+           (local_name == "Board" || local_name == "Stick" || local_name == "Cube");
 }
 
 /// Where an annotation of `iri` names a measure.
@@ -112,22 +116,27 @@ Catalogue make_catalogue(const Domain& domain) {
                 const knowledge::ElementaryConcept& value = range.values[static_cast<std::size_t>(i)];
                 if (value.criteria.empty()) continue;
                 bool needs_metres = false;
+                AppearanceNeed look = AppearanceNeed::none;
                 std::string method;
                 std::vector<Formula> formulas;
                 for (const knowledge::Criterion& c : value.criteria) {
                     formulas.push_back(require_formula(domain, value.iri, c.measure));
                     needs_metres |= formulas.back().needs_metres;
+                    look = std::max(look, appearance_need(formulas.back()));
                     method += fmt::format("{}{} in [{} {} {} {}]", method.empty() ? "" : " and ", c.measure, c.a1, c.a2,
                                           c.a3, c.a4);
                 }
                 const std::string name = owl::local_name(value.iri);
-                if (range.iri == std::string(owl::core_prefix) + "Shape" && has_find_all(name))
+                if (has_find_all(range.iri, name))
                     catalogue.algorithms.push_back({Signature::find_all,
                                                     {v, i},
                                                     name,
                                                     "regions of the box-like partition with " + method,
                                                     find_all_cost,
-                                                    needs_metres});
+                                                    needs_metres,
+                                                    look == AppearanceNeed::none ? Origin::own : Origin::derived,
+                                                    {},
+                                                    look});
                 catalogue.algorithms.push_back({Signature::is_a,
                                                 {v, i},
                                                 name,
@@ -135,7 +144,8 @@ Catalogue make_catalogue(const Domain& domain) {
                                                 std::max(read_off_cost, value.cost.value_or(1)),
                                                 needs_metres,
                                                 Origin::own,
-                                                std::move(formulas)});
+                                                std::move(formulas),
+                                                look});
             }
         } else if (variable.kind == VariableKind::number) {
             const knowledge::MeasuredProperty& number = domain.numbers[static_cast<std::size_t>(variable.index)];
@@ -152,7 +162,8 @@ Catalogue make_catalogue(const Domain& domain) {
                                                 read_off_cost,
                                                 formula.needs_metres,
                                                 Origin::own,
-                                                {formula}});
+                                                {formula},
+                                                appearance_need(formula)});
             }
         }
     }

@@ -29,11 +29,13 @@ struct ElementaryAlgorithm {
     double cost;                   ///< relative: an `is a` is 1 unless core:cost says otherwise
     bool needs_metres;
     Origin origin = Origin::own;
-    std::vector<Formula> formulas = {};  ///< SI: of the concept's criteria, in their order; or of the number
+    std::vector<Formula> formulas = {};          ///< SI: of the concept's criteria, in their order; or of the number
+    AppearanceNeed look = AppearanceNeed::none;  ///< what the file must tell for an answer
 };
 
 /// All elementary algorithms for a domain: an `is a` for every elementary concept with criteria and every number that
-/// axioms mention, a `find all` for the box shapes, a T for every statement about relations all of which have criteria.
+/// axioms mention, a `find all` for the box shapes and for colours, a T for every statement about relations all of
+/// which have criteria.
 struct Catalogue {
     std::vector<ElementaryAlgorithm> algorithms;
     [[nodiscard]] const ElementaryAlgorithm* find(Signature signature, knowledge::Question question) const;

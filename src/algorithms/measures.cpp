@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 
+#include "algorithms/appearance.h"
 #include "algorithms/form.h"
 
 namespace partonomy {
@@ -96,10 +97,17 @@ const std::array<Measure, 28> measures = {{
 
 }  // namespace
 
-std::span<const Measure> all_measures() { return measures; }
+std::span<const Measure> all_measures() {
+    static const std::vector<Measure> all = [] {
+        std::vector<Measure> list(measures.begin(), measures.end());
+        list.insert(list.end(), appearance_measures().begin(), appearance_measures().end());
+        return list;
+    }();
+    return all;
+}
 
 const Measure* find_measure(const std::string& name) {
-    for (const Measure& measure : measures)
+    for (const Measure& measure : all_measures())
         if (name == measure.name) return &measure;
     return nullptr;
 }

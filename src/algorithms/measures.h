@@ -15,6 +15,9 @@ enum class Effort {
     on_demand,  ///< for a question that needs it
 };
 
+/// What a measure needs of the colours of a mesh file.
+enum class AppearanceNeed { none, colors, finish };
+
 /// A measurement that core:measure may name.
 struct Measure {
     const char* name;

@@ -18,6 +18,7 @@
 #include <map>
 #include <numbers>
 
+#include "algorithms/appearance.h"
 #include "base/errors.h"
 #include "shape/hull_area.h"
 
@@ -110,6 +111,7 @@ void place(Object& object, const Placement& placement) {
 
 void cut(Object& object, int threads) {
     object.candidates = find_parts(object.mesh, {object.placement.up, threads, object.tree}, &object.times);
+    if (object.appearance) split_by_color(object);
 }
 
 RegionMeasurements measure_region(const Object& object, const PartRegion& part) {

@@ -13,6 +13,10 @@
 
 namespace partonomy {
 
+struct Appearance;
+struct RegionColors;
+struct RegionPattern;
+
 /// Up direction and unit of a mesh file, as a user gives them.
 struct Placement {
     Vec3 up = Vec3::UnitZ();
@@ -50,6 +54,7 @@ struct Object {
     StageTimes times;                     ///< of finding them
     std::shared_ptr<const RayTree> tree;  ///< of the mesh
     mutable std::shared_ptr<const CalmSurface> calm;  ///< once a question needed it: calm_surface
+    std::shared_ptr<const Appearance> appearance;     ///< null: no colours, or nothing asks for them; see paint
 };
 
 /// Measures the mesh and cuts it into candidate regions. Needs no ontology. threads <= 0: all cores.
@@ -82,6 +87,8 @@ struct RegionMeasurements {
     Vec3 centre = Vec3::Zero();                             ///< of the box
     mutable std::optional<Surroundings> surroundings;       ///< once a question needed them: look_around
     mutable std::shared_ptr<const SurfaceSamples> samples;  ///< once a question needed them: samples_of
+    mutable std::shared_ptr<const RegionColors> colors;     ///< the same: look_at_colors
+    mutable std::shared_ptr<const RegionPattern> pattern;   ///< the same: look_at_pattern
     mutable std::map<std::string, double> asked;  ///< values of measures and formulas that are taken on demand
 };
 

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "algorithms/appearance.h"
 #include "base/errors.h"
 
 namespace partonomy {
@@ -144,15 +145,23 @@ void label_faces(const Object& object, Annotation& annotation) {
     }
 }
 
-/// What is still open for want of an algorithm or a unit.
+/// What the object lacks for questions to be answered.
+std::string why_not(const Session& session) {
+    if (!session.object().placement.metres_per_unit) return " while the unit is unknown";
+    return needs_appearance(session.catalogue()) && !session.object().appearance ? ", since the mesh has no colours"
+                                                                                 : "";
+}
+
+/// What is still open for want of an algorithm, a unit or colours.
 std::vector<std::string> open_questions(const Session& session, const std::vector<Naming>& namings) {
     std::vector<std::string> open;
+    if (needs_appearance(session.catalogue()) && !session.object().appearance)
+        open.emplace_back("the mesh has no colours, so what hangs on them stays open");
     for (int region = 0; region < session.region_count(); ++region) {
         const Naming& naming = namings[static_cast<std::size_t>(region)];
         if (naming.certainty < 1)
             open.push_back(fmt::format("part {} is assumed to be a {}: what would decide it cannot be asked{}",
-                                       region + 1, owl::local_name(naming.concepts.front()),
-                                       session.object().placement.metres_per_unit ? "" : " while the unit is unknown"));
+                                       region + 1, owl::local_name(naming.concepts.front()), why_not(session)));
         else if (session.possible(region).is_empty())
             open.push_back(fmt::format("part {}: its answers contradict the axioms", region + 1));
         else if (naming.concepts.empty())

@@ -7,6 +7,8 @@
 #include <chrono>
 #include <span>
 
+#include "algorithms/appearance.h"
+
 namespace partonomy {
 namespace {
 
@@ -314,13 +316,15 @@ knowledge::Knowledge Session::knowledge() const {
 std::optional<double> Session::is_a_cost(Question question) const {
     const ElementaryAlgorithm* algorithm = catalogue_.find(Signature::is_a, question);
     if (!algorithm) algorithm = catalogue_.find(Signature::related, question);
-    if (!algorithm || (algorithm->needs_metres && !object_.placement.metres_per_unit)) return std::nullopt;
+    if (!algorithm || (algorithm->needs_metres && !object_.placement.metres_per_unit) ||
+        !tells(object_, algorithm->look))
+        return std::nullopt;
     return algorithm->cost;
 }
 
 std::optional<double> Session::find_all_cost(Question question) const {
     const ElementaryAlgorithm* algorithm = catalogue_.find(Signature::find_all, question);
-    if (!algorithm) return std::nullopt;
+    if (!algorithm || !tells(object_, algorithm->look)) return std::nullopt;
     return algorithm->cost;
 }
 

@@ -67,6 +67,7 @@ public:
     [[nodiscard]] const std::vector<knowledge::ConceptId>& wanted() const { return wanted_; }
 
     [[nodiscard]] const knowledge::Domain& domain() const { return domain_; }
+    [[nodiscard]] const Catalogue& catalogue() const { return catalogue_; }
     [[nodiscard]] const Object& object() const { return object_; }
     /// Fraction of the surface that is in no candidate region.
     [[nodiscard]] double uncovered_fraction() const { return uncovered_fraction_; }

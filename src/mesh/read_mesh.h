@@ -11,6 +11,9 @@
 
 namespace partonomy {
 
+class Companions;
+struct SoupAppearance;
+
 /// Polygons as a file holds them, before cleaning.
 struct PolygonSoup {
     std::vector<Vec3> positions;
@@ -22,15 +25,20 @@ struct PolygonSoup {
     }
 };
 
-enum class MeshFormat { off, obj, stl_ascii, stl_binary, ply };
+enum class MeshFormat { off, obj, stl_ascii, stl_binary, ply, gltf };
 
 /// The format told by the content, not by the name; nullopt when it is none of ours.
 [[nodiscard]] std::optional<MeshFormat> detect_mesh_format(std::string_view bytes);
 
-/// Parses the bytes of an OFF, OBJ, STL (ASCII, binary) or PLY (ASCII, binary of both byte orders) file.
+/// Parses the bytes of an OFF, OBJ, STL (ASCII, binary), PLY (ASCII, binary of both byte orders), glTF or GLB file.
 /// `name` is what error sentences call the file. Throws MeshError: unknown format, truncated, number expected, NaN or
 /// infinite coordinate, index out of range, no faces; the sentence names the line or the element.
 [[nodiscard]] PolygonSoup parse_mesh(std::string_view bytes, const std::string& name);
+
+/// The same for a file that may name others beside it (glTF its buffers). `appearance`: receives the colours, for which
+/// material libraries and images are read, too; null leaves all of that unread.
+[[nodiscard]] PolygonSoup parse_mesh(std::string_view bytes, const std::string& name, const Companions& companions,
+                                     SoupAppearance* appearance);
 
 /// What cleaning found and did; nothing is repaired silently.
 struct MeshReport {
@@ -54,6 +62,8 @@ struct LoadedMesh {
     TriangleMesh mesh;
     MeshReport report;
     std::string sha256;  ///< of the file's bytes
+    /// glTF says itself what is up and how long a metre is: +y, and 1 unit.
+    bool is_gltf = false;
 };
 
 struct CleanOptions {

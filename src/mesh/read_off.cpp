@@ -2,18 +2,22 @@
 
 #include <algorithm>
 
+#include "mesh/appearance.h"
 #include "mesh/readers.h"
 #include "mesh/text_cursor.h"
 
 // OFF, Geomview's object file format: a magic word, the counts of vertices, faces and edges, then one line a vertex and
-// one line a face. What follows the coordinates (normals, colours, texture) and the corners (colours) on a line is
-// skipped. Faces with fewer than three corners are kept: cleaning counts them as degenerate.
+// one line a face. What follows the coordinates (normal, colour, texture) and the corners (colour) on a line is
+// skipped, but for colours where they are wanted: of vertices when the magic word has a C, of faces three or four
+// numbers. Some programs count them from 0 to 1, others to 255: to 255 when any of the file is above 1. Faces with
+// fewer than three corners are kept: cleaning counts them as degenerate.
 
 namespace partonomy {
 namespace {
 
 struct Counts {
     std::int64_t vertices = 0, faces = 0;
+    bool has_normals = false, has_colors = false;  ///< of vertices
 };
 
 std::int64_t read_count(TextCursor& cursor, const char* of_what) {
@@ -38,10 +42,20 @@ Counts read_header(TextCursor& cursor) {
     if (!cursor.at_line_end() && (*cursor.position() == 'B' || *cursor.position() == 'b'))
         cursor.fail("binary OFF cannot be read; save the mesh as ASCII OFF or as PLY");
     Counts counts;
+    counts.has_normals = magic.find('N') != std::string_view::npos;
+    counts.has_colors = magic.find('C') != std::string_view::npos;
     counts.vertices = read_count(cursor, "vertices");
     counts.faces = read_count(cursor, "faces");
     cursor.next_line();  // the number of edges is not needed, and often wrong
     return counts;
+}
+
+/// Three numbers of a colour from the rest of the line; unknown when there are fewer.
+Color read_color(TextCursor& cursor) {
+    Color color;
+    for (int i = 0; i < 3; ++i)
+        if (!cursor.read(color[i])) return unknown_color();
+    return color;
 }
 
 void read_face(TextCursor& cursor, const Counts& counts, std::int64_t number, PolygonSoup& soup) {
@@ -70,7 +84,7 @@ bool is_off_header(std::string_view word) {
     return word == "OFF";
 }
 
-PolygonSoup parse_off(std::string_view bytes, const std::string& name) {
+PolygonSoup parse_off(std::string_view bytes, const std::string& name, SoupAppearance* appearance) {
     TextCursor cursor(bytes, name, '#');
     const Counts counts = read_header(cursor);
     PolygonSoup soup;
@@ -83,6 +97,10 @@ PolygonSoup parse_off(std::string_view bytes, const std::string& name) {
         if (!cursor.find_content())
             cursor.fail(fmt::format("the file ends after {} of the {} vertices that it announces", i, counts.vertices));
         soup.positions.push_back(read_point(cursor, i));
+        if (appearance && counts.has_colors) {
+            if (counts.has_normals) static_cast<void>(read_color(cursor));
+            appearance->vertex_colors.push_back(read_color(cursor));
+        }
         cursor.next_line();
     }
     soup.face_starts.push_back(0);
@@ -90,7 +108,12 @@ PolygonSoup parse_off(std::string_view bytes, const std::string& name) {
         if (!cursor.find_content())
             cursor.fail(fmt::format("the file ends after {} of the {} faces that it announces", i, counts.faces));
         read_face(cursor, counts, i, soup);
+        if (appearance) appearance->face_colors.push_back(read_color(cursor));
         cursor.next_line();
+    }
+    if (appearance) {
+        from_srgb(appearance->vertex_colors);
+        from_srgb(appearance->face_colors);
     }
     if (cursor.find_content())
         soup.notes.push_back(fmt::format("line {}: what follows the {} announced faces was not read",

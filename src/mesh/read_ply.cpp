@@ -6,12 +6,15 @@
 #include <optional>
 
 #include "base/errors.h"
+#include "mesh/appearance.h"
 #include "mesh/readers.h"
 #include "mesh/text_cursor.h"
 
 // PLY, the Stanford polygon format: a header that declares elements and their properties, then the elements' rows as
 // text or as packed numbers of either byte order. The elements `vertex` (x, y, z) and `face` (a list vertex_indices or
-// vertex_index) are read, wherever they stand among others; every other element and property is stepped over.
+// vertex_index) are read, wherever they stand among others; every other element and property is stepped over,
+// but for colours where they are wanted: red, green and blue of faces or vertices, as whole numbers up to the largest
+// of their type, or as fractions.
 
 namespace partonomy {
 namespace {
@@ -277,8 +280,34 @@ std::optional<std::size_t> find_property(const Element& element, std::string_vie
     return std::nullopt;
 }
 
+/// Which channel each property of an element is, -1 for none; empty when it has no colours.
+std::vector<int> find_channels(const Element& element) {
+    static constexpr const char* names[][3] = {
+        {"red", "green", "blue"}, {"r", "g", "b"}, {"diffuse_red", "diffuse_green", "diffuse_blue"}};
+    for (const auto& channels : names) {
+        std::vector<int> found(element.properties.size(), -1);
+        int count = 0;
+        for (int c = 0; c < 3; ++c)
+            if (const auto place = find_property(element, channels[c], false)) {
+                found[*place] = c;
+                ++count;
+            }
+        if (count == 3) return found;
+    }
+    return {};
+}
+
+/// A channel as a fraction; what is stored in floating point stays as it is.
 template <class Rows>
-void read_vertices(Rows& rows, const Element& element, PolygonSoup& soup) {
+float read_channel(Rows& rows, Type type) {
+    const double value = rows.real(type);
+    if (type == Type::float32 || type == Type::float64) return static_cast<float>(value);
+    const std::size_t bits = 8 * size_of(type) - (type == Type::int8 || type == Type::int16 || type == Type::int32);
+    return static_cast<float>(value / static_cast<double>((std::uint64_t{1} << bits) - 1));
+}
+
+template <class Rows>
+void read_vertices(Rows& rows, const Element& element, PolygonSoup& soup, SoupAppearance* appearance) {
     std::vector<int> axis_of(element.properties.size(), -1);
     for (int axis = 0; axis < 3; ++axis) {
         const auto place =
@@ -286,16 +315,22 @@ void read_vertices(Rows& rows, const Element& element, PolygonSoup& soup) {
         if (!place) rows.fail("the element 'vertex' of the PLY header needs the properties x, y and z");
         axis_of[*place] = axis;
     }
+    const std::vector<int> channels = appearance ? find_channels(element) : std::vector<int>{};
+    Color color = unknown_color();
+    if (!channels.empty()) appearance->vertex_colors.resize(soup.positions.size(), color);
     soup.positions.reserve(std::min(static_cast<std::size_t>(element.count), rows.bytes_left() / 3 + 1));
     for (std::int64_t row = 0; row < element.count; ++row) {
         rows.begin_row(element, row);
         Vec3 point;
         for (std::size_t i = 0; i < element.properties.size(); ++i) {
-            if (axis_of[i] < 0)
-                skip_property(rows, element.properties[i]);
-            else
+            if (axis_of[i] >= 0)
                 point[axis_of[i]] = rows.real(element.properties[i].type);
+            else if (!channels.empty() && channels[i] >= 0)
+                color[channels[i]] = read_channel(rows, element.properties[i].type);
+            else
+                skip_property(rows, element.properties[i]);
         }
+        if (!channels.empty()) appearance->vertex_colors.push_back(color);
         if (!is_usable(point)) rows.fail(what_is_wrong_with(point, row));
         soup.positions.push_back(point);
         rows.end_row();
@@ -303,10 +338,14 @@ void read_vertices(Rows& rows, const Element& element, PolygonSoup& soup) {
 }
 
 template <class Rows>
-void read_faces(Rows& rows, const Element& element, std::int64_t vertices, PolygonSoup& soup) {
+void read_faces(Rows& rows, const Element& element, std::int64_t vertices, PolygonSoup& soup,
+                SoupAppearance* appearance) {
     auto corners = find_property(element, "vertex_indices", true);
     if (!corners) corners = find_property(element, "vertex_index", true);
     if (!corners) rows.fail("the element 'face' of the PLY header needs a list property vertex_indices");
+    const std::vector<int> channels = appearance ? find_channels(element) : std::vector<int>{};
+    Color color = unknown_color();
+    if (!channels.empty()) appearance->face_colors.resize(static_cast<std::size_t>(soup.face_count()), color);
     const auto count = static_cast<std::size_t>(element.count);
     soup.corners.reserve(std::min(3 * count, rows.bytes_left() / 2 + 1));
     soup.face_starts.reserve(std::min(count, rows.bytes_left()) + 2);
@@ -316,7 +355,10 @@ void read_faces(Rows& rows, const Element& element, std::int64_t vertices, Polyg
         for (std::size_t i = 0; i < element.properties.size(); ++i) {
             const Property& property = element.properties[i];
             if (i != *corners) {
-                skip_property(rows, property);
+                if (!channels.empty() && channels[i] >= 0)
+                    color[channels[i]] = read_channel(rows, property.type);
+                else
+                    skip_property(rows, property);
                 continue;
             }
             const std::int64_t size = rows.whole(*property.count_type);
@@ -330,6 +372,7 @@ void read_faces(Rows& rows, const Element& element, std::int64_t vertices, Polyg
             }
         }
         soup.face_starts.push_back(static_cast<std::int64_t>(soup.corners.size()));
+        if (!channels.empty()) appearance->face_colors.push_back(color);
         rows.end_row();
     }
 }
@@ -345,18 +388,26 @@ void skip_element(Rows& rows, const Element& element) {
 }
 
 template <class Rows>
-PolygonSoup read_rows(Rows rows, const Header& header) {
+PolygonSoup read_rows(Rows rows, const Header& header, SoupAppearance* appearance) {
     std::int64_t vertices = 0;
     for (const Element& element : header.elements)
         if (element.name == "vertex") vertices += element.count;
     PolygonSoup soup;
     for (const Element& element : header.elements) {
         if (element.name == "vertex")
-            read_vertices(rows, element, soup);
+            read_vertices(rows, element, soup, appearance);
         else if (element.name == "face")
-            read_faces(rows, element, vertices, soup);
+            read_faces(rows, element, vertices, soup, appearance);
         else
             skip_element(rows, element);
+    }
+    if (appearance) {
+        if (!appearance->vertex_colors.empty())
+            appearance->vertex_colors.resize(soup.positions.size(), unknown_color());
+        if (!appearance->face_colors.empty())
+            appearance->face_colors.resize(static_cast<std::size_t>(soup.face_count()), unknown_color());
+        from_srgb(appearance->vertex_colors);
+        from_srgb(appearance->face_colors);
     }
     if (rows.bytes_left() > 0 && !rows.only_blanks_left())
         soup.notes.push_back("What follows the last announced element of the PLY file was not read.");
@@ -365,11 +416,12 @@ PolygonSoup read_rows(Rows rows, const Header& header) {
 
 }  // namespace
 
-PolygonSoup parse_ply(std::string_view bytes, const std::string& name) {
+PolygonSoup parse_ply(std::string_view bytes, const std::string& name, SoupAppearance* appearance) {
     const Header header = read_header(bytes, name);
-    if (header.encoding == Encoding::ascii) return read_rows(AsciiRows(bytes, name, header.size), header);
-    if (header.encoding == Encoding::little) return read_rows(BinaryRows<false>(bytes, name, header.size), header);
-    return read_rows(BinaryRows<true>(bytes, name, header.size), header);
+    if (header.encoding == Encoding::ascii) return read_rows(AsciiRows(bytes, name, header.size), header, appearance);
+    if (header.encoding == Encoding::little)
+        return read_rows(BinaryRows<false>(bytes, name, header.size), header, appearance);
+    return read_rows(BinaryRows<true>(bytes, name, header.size), header, appearance);
 }
 
 }  // namespace partonomy
