@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <set>
 
 #include "algorithms/appearance.h"
 #include "mesh/appearance.h"
@@ -22,6 +23,7 @@ namespace {
 constexpr double alike = 0.08;        // distance in OKLab
 constexpr double least_piece = 0.02;  // of the candidate's area
 constexpr int comes_back = 3;
+constexpr double flat = 0.8, same_side = 0.9;  // cosines between normals
 
 using Triangles = std::vector<std::int32_t>;
 
@@ -169,20 +171,62 @@ private:
             if (root(piece) == piece && is_small(piece)) pieces_[index(piece)].into = first;
     }
 
-    void merge_patterns(const Triangles& candidate) {
-        std::vector<std::int32_t> roots;
-        for (std::int32_t piece = 0; piece < static_cast<std::int32_t>(pieces_.size()); ++piece)
-            if (root(piece) == piece) roots.push_back(piece);
-        std::vector<bool> is_repeated(pieces_.size(), false);
-        for (const std::int32_t a : roots) {
-            int count = 0;
-            for (const std::int32_t b : roots)
-                count += pieces_[index(a)].is_known && pieces_[index(b)].is_known &&
-                         distance(pieces_[index(a)].color, pieces_[index(b)].color) <= alike;
-            is_repeated[index(a)] = count >= comes_back;
+    /// A flat side of a piece.
+    struct Facet {
+        std::int32_t piece;
+        double area = 0;
+        Vec3 normal = Vec3::Zero();  ///< sum by area
+    };
+
+    std::vector<Facet> facets(const Triangles& candidate) const {
+        std::vector<Facet> all;
+        std::set<std::int32_t> left(candidate.begin(), candidate.end());
+        while (!left.empty()) {
+            Facet facet{root(piece_of_[index(*left.begin())])};
+            Triangles open{*left.begin()};
+            left.erase(left.begin());
+            while (!open.empty()) {
+                const std::size_t t = index(open.back());
+                open.pop_back();
+                const Vec3& normal = object_.geometry.normals[t];
+                facet.area += object_.geometry.areas[t];
+                facet.normal += object_.geometry.areas[t] * normal;
+                for (const std::int32_t u : adjacency_.neighbours[t])
+                    if (left.contains(u) && root(piece_of_[index(u)]) == facet.piece &&
+                        normal.dot(object_.geometry.normals[index(u)]) > flat) {
+                        left.erase(u);
+                        open.push_back(u);
+                    }
+            }
+            all.push_back(facet);
         }
-        for (const auto& [pair, length] : borders(candidate)) {
-            if (!is_repeated[index(pair.first)] || !is_repeated[index(pair.second)]) continue;
+        return all;
+    }
+
+    /// Joins neighbours that are both repeated: most of their area is flat sides of a colour that comes back on the
+    /// same side of the candidate.
+    void merge_patterns(const Triangles& candidate) {
+        const double total = std::accumulate(pieces_.begin(), pieces_.end(), 0.0,
+                                             [](double sum, const Piece& piece) { return sum + piece.area; });
+        std::vector<Facet> all = facets(candidate);
+        std::erase_if(all, [&](const Facet& facet) { return facet.area < least_piece * total; });
+        std::vector<double> area(pieces_.size(), 0.0), repeated(pieces_.size(), 0.0);
+        for (const std::int32_t t : candidate)
+            area[index(root(piece_of_[index(t)]))] += object_.geometry.areas[index(t)];
+        for (const Facet& facet : all) {
+            const Piece& piece = pieces_[index(facet.piece)];
+            const auto count = std::ranges::count_if(all, [&](const Facet& other) {
+                const Piece& its = pieces_[index(other.piece)];
+                return piece.is_known && its.is_known && distance(piece.color, its.color) <= alike &&
+                       facet.normal.normalized().dot(other.normal.normalized()) > same_side;
+            });
+            if (count >= comes_back) repeated[index(facet.piece)] += facet.area;
+        }
+        const auto is_repeated = [&](std::int32_t piece) { return repeated[index(piece)] > area[index(piece)] / 2; };
+        std::vector<std::pair<std::int32_t, std::int32_t>> joined;
+        for (const auto& [pair, length] : borders(candidate))
+            if (is_repeated(pair.first) && is_repeated(pair.second)) joined.push_back(pair);
+        for (const auto& pair : joined) {
             const std::int32_t a = root(pair.first), b = root(pair.second);
             if (a != b) pieces_[index(std::max(a, b))].into = std::min(a, b);
         }

@@ -1,8 +1,8 @@
 /* Stripes, checks and grain, told by the waves in a region's colours.
  *
- * The region's larger sides are looked at from the front, one after the other, through a window of 64 x 64 points that
- * fits them; the one whose colours vary more is judged. The colours along their main axis (red and white stripes: the
- * line from red to white) are a picture in grey, and its Fourier transform tells its waves:
+ * The two larger sides of the region's box are looked at from the front, one after the other, through a window of 64 x
+ * 64 points that fits them; the one whose colours vary more is judged. The colours along their main axis (red and white
+ * stripes: the line from red to white) are a picture in grey, and its Fourier transform tells its waves:
  *
  *     stripes      one wave with its harmonics holds most of the variance, about 0.9 of it
  *     checks       two waves that cross, of like strength: 0.66 for a chessboard, more for a plaid
@@ -32,40 +32,12 @@ constexpr double least_spread = 0.01;
 
 using Window = std::vector<Eigen::Vector3d>;  ///< OKLab by point, not a number where the region is not
 
-/// Directions that the region looks in most, most first.
-Eigen::Matrix3d main_directions(const Object& object, const RegionMeasurements& region) {
-    Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
-    for (const std::int32_t t : region.triangles) {
-        const Vec3& normal = object.geometry.normals[static_cast<std::size_t>(t)];
-        sum += object.geometry.areas[static_cast<std::size_t>(t)] * normal * normal.transpose();
-    }
-    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(sum).eigenvectors();
-}
-
-/// Along and across the triangles that look along `look`: the frame in which their window lies.
+/// The window's place: along two sides of the region's box.
 struct Frame {
     Vec3 x, y;
     Eigen::Vector2d low, size;
-    Frame(const Object& object, const std::vector<std::int32_t>& triangles, const Vec3& look) {
-        const Vec3 u = look.unitOrthogonal(), v = look.cross(u);
-        Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
-        Eigen::Vector2d middle = Eigen::Vector2d::Zero();
-        double area = 0;
-        const auto flat = [&](const Vec3& p) { return Eigen::Vector2d(p.dot(u), p.dot(v)); };
-        for (const std::int32_t t : triangles) {
-            const double weight = object.geometry.areas[static_cast<std::size_t>(t)];
-            middle += weight * flat(object.geometry.barycentres[static_cast<std::size_t>(t)]);
-            area += weight;
-        }
-        middle /= area;
-        for (const std::int32_t t : triangles)
-            for (const std::int32_t corner : object.mesh.triangles[static_cast<std::size_t>(t)]) {
-                const Eigen::Vector2d p = flat(object.mesh.positions[static_cast<std::size_t>(corner)]) - middle;
-                spread += object.geometry.areas[static_cast<std::size_t>(t)] * p * p.transpose();
-            }
-        const Eigen::Matrix2d axes = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(spread).eigenvectors();
-        x = axes(0, 1) * u + axes(1, 1) * v;
-        y = axes(0, 0) * u + axes(1, 0) * v;
+    Frame(const Object& object, const std::vector<std::int32_t>& triangles, const Vec3& along, const Vec3& across)
+        : x(along), y(across) {
         Eigen::Vector2d high = Eigen::Vector2d::Constant(-std::numeric_limits<double>::infinity());
         low = -high;
         for (const std::int32_t t : triangles)
@@ -81,14 +53,16 @@ struct Frame {
     }
 };
 
-Window look_along(const Object& object, const RegionMeasurements& region, const Vec3& look) {
+/// What is seen of the region along the side `axis` of its box, or against it when `sign` is -1.
+Window look_along(const Object& object, const RegionMeasurements& region, int axis, int sign) {
+    const Vec3 look = sign * region.axes.col(axis);
     std::vector<std::int32_t> front;
     for (const std::int32_t t : region.triangles)
         if (object.geometry.normals[static_cast<std::size_t>(t)].dot(look) > facing &&
             object.geometry.areas[static_cast<std::size_t>(t)] > 0)
             front.push_back(t);
     if (front.empty()) return {};
-    const Frame frame(object, front, look);
+    const Frame frame(object, front, region.axes.col((axis + 1) % 3), region.axes.col((axis + 2) % 3));
     Window window(side * side, Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN()));
     for (const std::int32_t triangle : front) {
         const auto t = static_cast<std::size_t>(triangle);
@@ -239,12 +213,17 @@ private:
 };
 
 RegionPattern measure_pattern(const Object& object, const RegionMeasurements& region) {
-    const Vec3 look = main_directions(object, region).col(2);
+    Vec3 seen_along = Vec3::Zero();
+    for (const std::int32_t t : region.triangles)
+        seen_along += object.geometry.areas[static_cast<std::size_t>(t)] *
+                      (region.axes.transpose() * object.geometry.normals[static_cast<std::size_t>(t)]).cwiseAbs2();
+    int axis = 0;
+    seen_along.maxCoeff(&axis);
     double variance = 0;
     std::vector<double> grey;
-    for (const Vec3& direction : {look, Vec3(-look)}) {
+    for (const int sign : {1, -1}) {
         double own = 0;
-        std::vector<double> seen = in_grey(look_along(object, region, direction), own);
+        std::vector<double> seen = in_grey(look_along(object, region, axis, sign), own);
         if (own <= variance) continue;
         variance = own;
         grey = std::move(seen);

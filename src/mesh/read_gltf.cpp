@@ -22,7 +22,7 @@ namespace {
 
 using Mat4 = Eigen::Matrix4d;
 
-constexpr std::size_t largest_repetition = 50'000'000;  // triangles, and vertices
+constexpr std::size_t largest_repetition = 10'000'000;  // triangles, and vertices
 
 Mat4 matrix_of(const GltfValue& node) {
     Mat4 matrix = Mat4::Identity();
