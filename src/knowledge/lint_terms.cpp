@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cctype>
 #include <set>
 
 #include "base/spelling.h"
@@ -20,7 +21,11 @@ std::vector<Finding> unknown_terms(const owl::Ontology& ontology) {
         std::size_t least = 0;
         for (const Iri& term : terms) {
             if (!term.starts_with(prefix)) continue;
-            const std::size_t distance = edit_distance(name, owl::local_name(term));
+            const std::string word = owl::local_name(term);
+            // Of two as near the one of the same kind: classes begin with a capital letter, properties do not.
+            const bool same_kind = !name.empty() && (std::isupper(static_cast<unsigned char>(name[0])) != 0) ==
+                                                        (std::isupper(static_cast<unsigned char>(word[0])) != 0);
+            const std::size_t distance = 2 * edit_distance(name, word) + !same_kind;
             if (best == nullptr || distance < least) {
                 best = &term;
                 least = distance;

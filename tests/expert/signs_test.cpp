@@ -87,8 +87,7 @@ TEST(TrafficSigns, EachIsNamedByEachStrategyAndTheExpertAsksLess) {
         expert += annotation.questions.at("SI");
         naive += asked_all.questions.at("SI");
     }
-    RecordProperty("SI of the expert", expert);
-    RecordProperty("SI of the naive strategy", naive);
+    EXPECT_LT(3 * expert, naive) << expert << " and " << naive;  // docs/appearance.md tells the numbers
 }
 
 /// Each triangle cut until no edge is longer than `longest`, so that noise has something to shake; paints follow.
@@ -121,7 +120,6 @@ TEST(TrafficSigns, StayWhatTheyAreWhenTurnedScaledAndShaken) {
         for (Vec3& p : shaken.object.mesh.positions)
             p += noise / std::sqrt(3.0) * Vec3(normal(random), normal(random), normal(random));
         expect_right(shaken, traffic.annotate(shaken), 0.9);
-        printf("%s %.4f\n", painted.object.name.c_str(), area_rightly_named(shaken, traffic.annotate(shaken)));
     }
 }
 
