@@ -35,9 +35,10 @@ struct OntologyArguments {
     knowledge::DiagramOptions limits;
     std::size_t diagram_mb = limits.memory_limit >> 20;
     void add_to(CLI::App& command, bool positional);
-    [[nodiscard]] owl::Ontology read() const;
+    [[nodiscard]] owl::Ontology read(bool whole_core = true) const;
     [[nodiscard]] knowledge::CompileOptions compile_options() const;
-    [[nodiscard]] knowledge::Domain load() const { return knowledge::compile(read(), compile_options()); }
+    /// What the ontology means; of core only what it speaks of.
+    [[nodiscard]] knowledge::Domain load() const { return knowledge::compile(read(false), compile_options()); }
 };
 
 }  // namespace partonomy::app

@@ -26,8 +26,9 @@ void OntologyArguments::add_to(CLI::App& command, bool positional) {
     command.add_option("--diagram-mb", diagram_mb, "memory that a diagram may take")->capture_default_str();
 }
 
-owl::Ontology OntologyArguments::read() const {
+owl::Ontology OntologyArguments::read(bool whole_core) const {
     owl::LoadOptions options;
+    options.whole_core = whole_core;
     options.import_folders.assign(import_folders.begin(), import_folders.end());
     return owl::load_ontology(path, options);
 }

@@ -1,6 +1,6 @@
 /* The paper's reasoner against ours on the paper's job: which concept is each configuration of a part's features? For
  * HermiT the product of the features becomes one defined class for each configuration, beside core.ttl and
- * furniture.ttl, and classifying them all tells below which concepts each one is. It runs in one Java process, which
+ * paper-furniture.ttl, and classifying them all tells below which concepts each one is. It runs in one Java process, which
  * has done the same several times before it is timed. */
 
 #include "bench/bench_hermit.h"
@@ -29,7 +29,7 @@ using knowledge::Domain;
 using owl::ClassKind;
 
 constexpr int warm_ups = 5, runs = 5;
-const std::string ontology_path = PARTONOMY_SOURCE_DIR "/ontologies/furniture.ttl";
+const std::string ontology_path = PARTONOMY_SOURCE_DIR "/ontologies/paper-furniture.ttl";
 
 fs::path hermit_jar() {
     const fs::path root = PARTONOMY_SOURCE_DIR "/.venv/lib";

@@ -22,7 +22,7 @@ import time
 import zipfile
 
 LIBRARIES = pathlib.Path("/usr/share/sweethome3d/furniture")
-# The classes of household.ttl, most telling first, and the words of the CSV for them.
+# The classes of furniture.ttl, most telling first, and the words of the CSV for them.
 WORDS = [("Bed", "bed"), ("Couch", "sofa"), ("Chair", "chair"), ("Stool", "chair"), ("Bench", "bench"),
          ("Shelf", "shelf"), ("Table", "table")]
 
@@ -173,7 +173,7 @@ def main():
     two.add_argument("--jobs", type=int, default=os.cpu_count())
     two.add_argument("--limit", type=float, default=10, help="seconds a model may take")
     two.add_argument("--verbose", action="store_true")
-    two.add_argument("--ontology", default=str(pathlib.Path(__file__).parent.parent / "ontologies/household.ttl"))
+    two.add_argument("--ontology", default=str(pathlib.Path(__file__).parent.parent / "ontologies/furniture.ttl"))
     two.add_argument("--up", default="y")
     two.add_argument("--unit", default="m")
     two.set_defaults(work=run)

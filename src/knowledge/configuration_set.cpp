@@ -31,6 +31,16 @@ std::size_t to_size(const std::string& digits) {
     return value;
 }
 
+/// Without the instruction that not every processor has; loops over it are done for several words at a time.
+std::uint64_t bits_in(std::uint64_t word) {
+    word -= (word >> 1) & 0x5555555555555555U;
+    word = (word & 0x3333333333333333U) + ((word >> 2) & 0x3333333333333333U);
+    word = (word + (word >> 4)) & 0x0f0f0f0f0f0f0f0fU;
+    word += word >> 8;
+    word += word >> 16;
+    return (word + (word >> 32)) & 0x7fU;
+}
+
 }  // namespace
 
 struct ConfigurationSet::Conjunction {
@@ -91,7 +101,7 @@ const std::vector<int>& ConfigurationSet::literals() const { return conjunction_
 std::size_t ConfigurationSet::count() const {
     if (conjunction_) return to_size(count_text());
     std::size_t total = 0;
-    for (const std::uint64_t word : words_) total += static_cast<std::size_t>(std::popcount(word));
+    for (const std::uint64_t word : words_) total += bits_in(word);
     return total;
 }
 
@@ -104,6 +114,12 @@ bool ConfigurationSet::is_empty() const {
     for (const std::uint64_t word : words_)
         if (word != 0) return false;
     return true;
+}
+
+std::optional<std::size_t> ConfigurationSet::first() const {
+    for (std::size_t w = 0; w < words_.size(); ++w)
+        if (words_[w] != 0) return w * 64 + static_cast<std::size_t>(std::countr_zero(words_[w]));
+    return std::nullopt;
 }
 
 bool ConfigurationSet::is_subset_of(const ConfigurationSet& other) const {
@@ -127,8 +143,7 @@ bool ConfigurationSet::intersects(const ConfigurationSet& other) const {
 std::size_t ConfigurationSet::count_common(const ConfigurationSet& other) const {
     if (conjunction_) return (*this & other).count();
     std::size_t total = 0;
-    for (std::size_t i = 0; i < words_.size(); ++i)
-        total += static_cast<std::size_t>(std::popcount(words_[i] & other.words_[i]));
+    for (std::size_t i = 0; i < words_.size(); ++i) total += bits_in(words_[i] & other.words_[i]);
     return total;
 }
 
@@ -203,10 +218,25 @@ void ConfigurationSet::insert_range(std::size_t first, std::size_t end) {
 ConfigurationSet ConfigurationSet::packed(const ConfigurationSet& kept) const {
     ConfigurationSet result(kept.count());
     std::size_t next = 0;
-    kept.for_each([&](std::size_t i) {
-        if (has(i)) result.insert(next);
-        ++next;
-    });
+    const auto append = [&](std::uint64_t bits, std::size_t count) {  // bits beyond `count` are 0
+        if (count == 0) return;
+        result.words_[next / 64] |= bits << (next % 64);
+        if (next % 64 + count > 64) result.words_[next / 64 + 1] |= bits >> (64 - next % 64);
+        next += count;
+    };
+    for (std::size_t w = 0; w < words_.size(); ++w) {
+        std::uint64_t bits = words_[w], mask = kept.words_[w];
+        while (mask != 0) {  // runs of neighbours that are kept
+            const int gap = std::countr_zero(mask);
+            bits >>= gap;
+            mask >>= gap;
+            const int run = std::countr_one(mask);
+            const std::uint64_t ones = run == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << run) - 1;
+            append(bits & ones, static_cast<std::size_t>(run));
+            bits = run == 64 ? 0 : bits >> run;
+            mask = run == 64 ? 0 : mask >> run;
+        }
+    }
     return result;
 }
 

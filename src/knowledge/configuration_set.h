@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,8 @@ public:
     [[nodiscard]] bool has(std::size_t i) const { return (words_[i / 64] >> (i % 64)) & 1U; }
     void insert(std::size_t i) { words_[i / 64] |= std::uint64_t{1} << (i % 64); }
     void insert_range(std::size_t first, std::size_t end);
+    /// The configuration with the lowest number.
+    [[nodiscard]] std::optional<std::size_t> first() const;
     /// Calls `visit(i)` for each configuration in the set, ascending.
     template <typename Visit>
     void for_each(Visit&& visit) const {

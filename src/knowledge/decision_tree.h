@@ -74,9 +74,12 @@ private:
     struct Scored {
         const Candidate* candidate;
         double score;
+        double share;  ///< of the set that answers yes
     };
     /// The `most` highest scores, the best first; nothing when no question splits `set`.
     [[nodiscard]] std::vector<Scored> ranking(const ConfigurationSet& set, std::size_t most) const;
+    /// The `most` questions that split `set` most evenly per cost.
+    [[nodiscard]] std::vector<Scored> most_even(const ConfigurationSet& set, std::size_t most) const;
     /// The question among the highest scores whose tree costs least.
     [[nodiscard]] std::optional<Question> look_ahead(const ConfigurationSet& set) const;
     /// What asking on costs on average when every question is the one with the highest score; nullopt when that takes
@@ -99,6 +102,13 @@ private:
     std::vector<Candidate> candidates_;  ///< ascending
     std::vector<ConfigurationSet>
         labels_;  ///< configurations that agree on every wanted concept; none when wanted is empty
+    /// The space row by row, made when first needed: which label a configuration has, and which questions it answers
+    /// with yes. Of configuration i these are yes[first[i]] up to yes[first[i + 1]].
+    struct Rows {
+        std::vector<std::uint32_t> label, first, yes;
+    };
+    [[nodiscard]] const Rows& rows() const;
+    mutable std::optional<Rows> rows_;
     struct Hash {
         std::size_t operator()(const ConfigurationSet& set) const { return set.hash(); }
     };

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "knowledge/decision_tree.h"
 #include "knowledge/diagram_questions.h"
@@ -10,8 +11,9 @@
 // the entropy of the class sinks on average. It does not care for features that no wanted concept looks at, where
 // dichotomy asks on. When no single question gains anything but something is open (an exclusive or), the most even
 // split per cost makes progress. Configurations count alike; impossible ones only count when nothing else is open.
-// Cost: (questions) x (classes) x (words of the space); furniture takes 2-3 microseconds. Over a compiled space the
-// same choice is made by sweeps over its diagram (diagram_questions.cpp).
+// Cost: dichotomy takes (questions) x (words of the space); gain per cost walks over the configurations that are left,
+// each with the questions that it answers with yes, since far down in a tree few are left of many. Over a compiled
+// space the same choice is made by sweeps over its diagram (diagram_questions.cpp).
 
 namespace partonomy::knowledge {
 namespace {
@@ -19,6 +21,16 @@ namespace {
 constexpr std::size_t look_ahead_budget = 200;  ///< sets to price for one question
 
 double entropy_sum(double n) { return n > 0 ? n * std::log2(n) : 0; }
+
+/// The same of whole numbers, those below the size of the table looked up.
+double entropy_sum(std::size_t n) {
+    static const std::vector<double> table = [] {
+        std::vector<double> sums(1024);
+        for (std::size_t i = 0; i < sums.size(); ++i) sums[i] = entropy_sum(static_cast<double>(i));
+        return sums;
+    }();
+    return n < table.size() ? table[n] : entropy_sum(static_cast<double>(n));
+}
 
 /// Keeps the first of the highest scores; scores closer than rounding count as equal.
 struct Best {
@@ -106,8 +118,8 @@ bool Planner::is_decided_packed(const ConfigurationSet& set) const {
     if (space_->diagram) return knowledge::is_decided(*space_, set, options_);
     if (labels_.empty()) return set.count() <= 1;
     const auto is_one_label = [&](const ConfigurationSet& some) {
-        return std::ranges::count_if(labels_, [&](const ConfigurationSet& label) { return label.intersects(some); }) <=
-               1;
+        const std::optional<std::size_t> first = some.first();
+        return !first || some.is_subset_of(labels_[rows().label[*first]]);
     };
     // When what nothing can answer tells the label, nothing that is asked will.
     const auto is_told = [&](const auto& self, const ConfigurationSet& some, std::size_t from) -> bool {
@@ -196,34 +208,75 @@ std::optional<Question> Planner::best_about(const ConfigurationSet& whole_set,
     return best.question;
 }
 
-std::vector<Planner::Scored> Planner::ranking(const ConfigurationSet& set, std::size_t most) const {
+const Planner::Rows& Planner::rows() const {
+    if (rows_) return *rows_;
+    const std::size_t size = possible_.size();
+    rows_.emplace();
+    rows_->label.resize(size);
+    for (std::size_t label = 0; label < labels_.size(); ++label)
+        labels_[label].for_each([&](std::size_t i) { rows_->label[i] = static_cast<std::uint32_t>(label); });
+    rows_->first.assign(size + 1, 0);
+    for (const Candidate& candidate : candidates_)
+        candidate.yes.for_each([&](std::size_t i) { ++rows_->first[i + 1]; });
+    for (std::size_t i = 0; i < size; ++i) rows_->first[i + 1] += rows_->first[i];
+    rows_->yes.resize(rows_->first[size]);
+    std::vector<std::uint32_t> next(rows_->first.begin(), rows_->first.end() - 1);
+    for (std::size_t c = 0; c < candidates_.size(); ++c)
+        candidates_[c].yes.for_each([&](std::size_t i) { rows_->yes[next[i]++] = static_cast<std::uint32_t>(c); });
+    return *rows_;
+}
+
+std::vector<Planner::Scored> Planner::most_even(const ConfigurationSet& set, std::size_t most) const {
     const std::size_t count = set.count();
-    std::vector<ConfigurationSet> labels;
-    if (options_.criterion != SplitCriterion::dichotomy)
-        for (const ConfigurationSet& label : labels_)
-            if (label.intersects(set)) labels.push_back(label & set);
-    const auto n = static_cast<double>(count);
-    double open = 0;  // sum of n log n over the classes: entropy = log n - open / n
-    std::vector<double> sizes;
-    for (const ConfigurationSet& label : labels) {
-        sizes.push_back(static_cast<double>(label.count()));
-        open += entropy_sum(sizes.back());
-    }
-    std::vector<Scored> even, gain;
+    std::vector<Scored> even;
     for (const Candidate& candidate : candidates_) {
-        const std::size_t yes_count = set.count_common(candidate.yes);
-        if (yes_count == 0 || yes_count == count || !cost(candidate)) continue;
-        const auto yes = static_cast<double>(yes_count);
-        const double smaller = std::min(yes, n - yes), divisor = price(candidate);
-        offer(even, {&candidate, smaller / divisor}, most);
-        if (options_.criterion == SplitCriterion::dichotomy) continue;
+        const std::size_t yes = set.count_common(candidate.yes);
+        if (yes == 0 || yes == count || !cost(candidate)) continue;
+        const auto smaller = static_cast<double>(std::min(yes, count - yes));
+        offer(even, {&candidate, smaller / price(candidate), static_cast<double>(yes) / static_cast<double>(count)},
+              most);
+    }
+    return even;
+}
+
+std::vector<Planner::Scored> Planner::ranking(const ConfigurationSet& set, std::size_t most) const {
+    if (options_.criterion == SplitCriterion::dichotomy || labels_.empty()) return most_even(set, most);
+    const Rows& rows = this->rows();
+    std::size_t count = 0;
+    std::vector<std::size_t> sizes(labels_.size(), 0);  // of the labels within the set
+    set.for_each([&](std::size_t i) {
+        ++count;
+        ++sizes[rows.label[i]];
+    });
+    std::vector<std::uint32_t> place(labels_.size(), 0);  // of a label among those that occur
+    std::size_t labels = 0;
+    for (std::size_t label = 0; label < sizes.size(); ++label) {
+        if (sizes[label] == 0) continue;
+        sizes[labels] = sizes[label];
+        place[label] = static_cast<std::uint32_t>(labels++);
+    }
+    std::vector<std::uint32_t> yes_of(candidates_.size() * labels, 0);  // by candidate, then label
+    set.for_each([&](std::size_t i) {
+        const std::uint32_t label = place[rows.label[i]];
+        for (std::uint32_t at = rows.first[i]; at < rows.first[i + 1]; ++at) ++yes_of[rows.yes[at] * labels + label];
+    });
+    double open = 0;  // sum of n log n over the classes: entropy = log n - open / n
+    for (std::size_t label = 0; label < labels; ++label) open += entropy_sum(sizes[label]);
+    const auto n = static_cast<double>(count);
+    std::vector<Scored> even, gain;
+    for (std::size_t c = 0; c < candidates_.size(); ++c) {
+        const Candidate& candidate = candidates_[c];
+        const std::uint32_t* inside = &yes_of[c * labels];
+        const std::size_t yes = std::accumulate(inside, inside + labels, std::size_t{0});
+        if (yes == 0 || yes == count || !cost(candidate)) continue;
+        const double divisor = price(candidate);
+        const double share = static_cast<double>(yes) / n;
+        offer(even, {&candidate, static_cast<double>(std::min(yes, count - yes)) / divisor, share}, most);
         // n times the gain: n H - (yes H_yes + no H_no)
-        double bits = entropy_sum(n) - entropy_sum(yes) - entropy_sum(n - yes) - open;
-        for (std::size_t c = 0; c < labels.size(); ++c) {
-            const auto inside = static_cast<double>(labels[c].count_common(candidate.yes));
-            bits += entropy_sum(inside) + entropy_sum(sizes[c] - inside);
-        }
-        if (bits > 1e-9 * n) offer(gain, {&candidate, bits / n / divisor}, most);
+        double bits = entropy_sum(count) - entropy_sum(yes) - entropy_sum(count - yes) - open;
+        for (std::size_t label = 0; label < labels; ++label)
+            bits += entropy_sum(std::size_t{inside[label]}) + entropy_sum(sizes[label] - inside[label]);
+        if (bits > 1e-9 * n) offer(gain, {&candidate, bits / n / divisor, share}, most);
     }
     return gain.empty() ? even : gain;
 }
@@ -255,7 +308,7 @@ std::optional<double> Planner::price_of(const ConfigurationSet& set, std::size_t
     const Candidate& asked = *best[0].candidate;
     const std::optional<double> yes = price_of(set & asked.yes, budget), no = price_of(set - asked.yes, budget);
     if (!yes || !no) return std::nullopt;
-    const double share = set.share(asked.yes);
+    const double share = best[0].share;
     return prices_[set] = price(asked) + share * *yes + (1 - share) * *no;
 }
 
@@ -269,7 +322,7 @@ std::optional<Question> Planner::look_ahead(const ConfigurationSet& set) const {
         const ConfigurationSet& answer = each.candidate->yes;
         const std::optional<double> yes = price_of(set & answer, budget), no = price_of(set - answer, budget);
         if (best && (!yes || !no)) break;
-        const double share = set.share(answer);
+        const double share = each.share;
         const double whole = yes && no ? price(*each.candidate) + share * *yes + (1 - share) * *no : 0;
         if (best && whole >= least - 1e-9 * least) continue;
         best = each.candidate->question;

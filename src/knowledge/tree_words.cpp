@@ -42,10 +42,9 @@ std::vector<NodeFeatures> follow(const DecisionTree& tree) {
         for (std::size_t v = 0; v < space.variables.size(); ++v)
             for (std::size_t k = 0; k < space.variables[v].values.size(); ++k) {
                 const Question value{static_cast<VariableId>(v), static_cast<ValueId>(k)};
-                const bool all = node.configurations.is_subset_of(space.holds[v][k]);
                 if (!node.configurations.intersects(space.holds[v][k]))
                     features[i].ruled_out.push_back(value);
-                else if (all)
+                else if (node.configurations.is_subset_of(space.holds[v][k]))
                     (asked[i][v] ? features[i].told : features[i].inferred).push_back(value);
             }
         if (!node.question) continue;

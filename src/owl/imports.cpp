@@ -13,6 +13,7 @@
 
 #include "base/errors.h"
 #include "base/files.h"
+#include "owl/core_module.h"
 
 namespace partonomy::owl {
 namespace {
@@ -29,7 +30,7 @@ Iri without_hash(Iri iri) {
 
 class Importer {
 public:
-    explicit Importer(const std::vector<fs::path>& import_folders) : import_folders_(import_folders) {}
+    explicit Importer(const LoadOptions& options) : options_(options) {}
 
     /// Reads a document and, before it, what it imports. An own stack instead of recursion: chains may be long.
     void read(Graph&& graph, const std::optional<fs::path>& folder);
@@ -48,9 +49,12 @@ private:
         std::optional<fs::path> folder;
     };
     void open(Graph&& graph, const std::optional<fs::path>& folder);
+    /// The imported document; nothing when it is the built-in core, which is read at the end.
     std::optional<Found> resolve(const Iri& iri, long line, const Open& importer);
     std::optional<Found> search_folder(const fs::path& folder, const Iri& iri);
-    const std::vector<fs::path>& import_folders_;
+    void read_built_in_core();
+    const LoadOptions& options_;
+    bool wants_built_in_core_ = false;
     std::vector<Open> stack_;
     std::set<Iri> seen_;
     std::map<fs::path, std::string> bytes_;  ///< of the files in the folders searched
@@ -114,14 +118,17 @@ std::optional<Importer::Found> Importer::resolve(const Iri& iri, long line, cons
         if (!is_core)
             if (std::optional<Found> found = search_folder(*importer.folder, iri)) return found;
     }
-    for (const fs::path& folder : import_folders_) {
+    for (const fs::path& folder : options_.import_folders) {
         std::error_code error;
         if (!fs::is_directory(folder, error)) {
             throw FileError(at(folder.string(), 0, "is no folder that imports can be looked for in"));
         }
         if (std::optional<Found> found = search_folder(folder, iri)) return found;
     }
-    if (is_core) return Found{read_document(core_ontology_text(), built_in_name), std::nullopt};
+    if (is_core) {
+        wants_built_in_core_ = true;
+        return std::nullopt;
+    }
     throw OntologyError(
         at(importer.graph.file, line,
            "the imported ontology <" + iri + "> cannot be found, and nothing is fetched from the network; " +
@@ -151,6 +158,10 @@ void Importer::read(Graph&& graph, const std::optional<fs::path>& folder) {
         const Iri iri = without_hash(written);
         if (iri.empty() || !seen_.insert(iri).second) continue;
         std::optional<Found> found = resolve(iri, line, top);
+        if (!found) {
+            documents.imports.emplace_back(written, built_in_name);
+            continue;
+        }
         documents.imports.emplace_back(written, found->graph.file);
         const Header header = header_of(found->graph);
         // The catalog may lead to an ontology that is merged already, under its other name.
@@ -158,6 +169,19 @@ void Importer::read(Graph&& graph, const std::optional<fs::path>& folder) {
             continue;
         open(std::move(found->graph), found->folder);
     }
+    if (wants_built_in_core_) read_built_in_core();
+}
+
+/// Once all others are read, since they say what of it they need; it imports nothing.
+void Importer::read_built_in_core() {
+    std::set<std::string> names;
+    if (!options_.whole_core)
+        for (const Graph& graph : documents.graphs)
+            for (const Term& term : graph.terms)
+                if (term.kind == TermKind::iri && term.value.starts_with(core_prefix)) names.insert(term.value);
+    documents.graphs.insert(
+        documents.graphs.begin(),
+        read_document(options_.whole_core ? core_ontology_text() : core_module(names), built_in_name));
 }
 
 }  // namespace
@@ -195,8 +219,8 @@ Header header_of(const Graph& graph) {
 }
 
 Documents read_with_imports(const std::string& bytes, const std::string& name, const std::optional<fs::path>& folder,
-                            const std::vector<fs::path>& import_folders) {
-    Importer importer(import_folders);
+                            const LoadOptions& options) {
+    Importer importer(options);
     importer.read(read_document(bytes, name), folder);
     return std::move(importer.documents);
 }

@@ -27,10 +27,11 @@ struct Documents {
 };
 
 /// The document in `bytes` and all that it imports, each once. `folder` is where its catalog and neighbours are looked
-/// for; without one only the built-in core can be imported. Throws FileError, OntologyError.
+/// for; without one only the built-in core can be imported, which comes before all others. Throws FileError,
+/// OntologyError.
 [[nodiscard]] Documents read_with_imports(const std::string& bytes, const std::string& name,
                                           const std::optional<std::filesystem::path>& folder,
-                                          const std::vector<std::filesystem::path>& import_folders);
+                                          const LoadOptions& options);
 
 /// One ontology of documents that were read. Throws OntologyError for what is no OWL 2.
 [[nodiscard]] Ontology merge(Documents&& documents);

@@ -80,7 +80,7 @@ std::string Ontology::label(const Iri& subject, const std::string& language) con
 Ontology load_ontology(const std::filesystem::path& path, const LoadOptions& options) {
     const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
     const std::string bytes = read_file(path);
-    Ontology ontology = merge(read_with_imports(bytes, path.string(), folder, options.import_folders));
+    Ontology ontology = merge(read_with_imports(bytes, path.string(), folder, options));
     ontology.sha256 = sha256(bytes);
     return ontology;
 }

@@ -208,13 +208,16 @@ struct Ontology {
 
 struct LoadOptions {
     std::vector<std::filesystem::path> import_folders;  ///< searched for imports after the file's own folder
+    /// False: features of the built-in core that no other file speaks of are left out (core_module.h), as if core did
+    /// not have them. What the ontology means stays the same, and it is read in half the time.
+    bool whole_core = true;
 };
 
 /// Reads an ontology in Turtle, N-Triples, RDF/XML, OWL/XML, functional or Manchester syntax, recognised by content,
 /// with its imports, which are resolved offline only: catalog-v001.xml beside the file, then files in the file's folder
 /// and in `import_folders` whose ontology IRI (or version IRI) is the one imported. The core ontology is built in; only
-/// the catalog and `import_folders` can put another file in its place. Cycles are fine. Throws FileError; OntologyError with file and line: syntax, import not found, a statement
-/// that is no OWL 2.
+/// the catalog and `import_folders` can put another file in its place. Cycles are fine. Throws FileError; OntologyError
+/// with file and line: syntax, import not found, a statement that is no OWL 2.
 [[nodiscard]] Ontology load_ontology(const std::filesystem::path& path, const LoadOptions& options = {});
 
 /// The same from memory; `name` is what error sentences call it, imports resolve to the core ontology only.

@@ -11,7 +11,7 @@ namespace {
 
 const knowledge::Domain& furniture() {
     static const knowledge::Domain domain =
-        knowledge::compile(owl::load_ontology(PARTONOMY_SOURCE_DIR "/ontologies/furniture.ttl"));
+        knowledge::compile(owl::load_ontology(PARTONOMY_SOURCE_DIR "/ontologies/paper-furniture.ttl"));
     return domain;
 }
 

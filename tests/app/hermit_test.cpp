@@ -46,8 +46,8 @@ TEST(Hierarchy, EqualsHermits) {
     expect_hermits_hierarchy({PARTONOMY_SOURCE_DIR "/ontologies/core.ttl", furniture_path()}, furniture_path());
 }
 
-TEST(Hierarchy, OfHouseholdEqualsHermits) {
-    const std::string path = PARTONOMY_SOURCE_DIR "/ontologies/household.ttl";
+TEST(Hierarchy, OfThePapersFurnitureEqualsHermits) {
+    const std::string path = PARTONOMY_SOURCE_DIR "/ontologies/paper-furniture.ttl";
     expect_hermits_hierarchy({PARTONOMY_SOURCE_DIR "/ontologies/core.ttl", path}, path);
 }
 

@@ -26,7 +26,7 @@ TEST(RealModels, ASampleIsAnnotatedOrRefusedWithAReasonInTime) {
         ++models;
         const auto start = std::chrono::steady_clock::now();
         const ProgramResult result = run_partonomy({"annotate", entry.path().string(), "--ontology",
-                                                    PARTONOMY_SOURCE_DIR "/ontologies/household.ttl",
+                                                    PARTONOMY_SOURCE_DIR "/ontologies/furniture.ttl",
                                                     "--up", "y", "--format", "json,labels", "-o", "out"},
                                                    folder.path());
         EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));

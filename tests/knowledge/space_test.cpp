@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "base/errors.h"
 #include "mini.h"
 
 using namespace mini;
@@ -242,4 +243,33 @@ TEST(Space, WhatADomainDoesNotSpeakOfIsNoFeatureOfIt) {
     EXPECT_TRUE(is_told("Vertical", "Orientation"));
     EXPECT_TRUE(is_told("Orientation", "Feature"));
     EXPECT_TRUE(is_told("UpFrom", "Relation"));
+}
+
+/// A module of core says the same of what the domain speaks of as the whole.
+TEST(Space, OfAModuleOfCoreIsThatOfTheWhole) {
+    for (const char* name : {"furniture.ttl", "paper-furniture.ttl", "furniture-headrest.omn"}) {
+        SCOPED_TRACE(name);
+        const std::string path = std::string(PARTONOMY_SOURCE_DIR "/ontologies/") + name;
+        owl::LoadOptions some;
+        some.whole_core = false;
+        const owl::Ontology whole = owl::load_ontology(path), module = owl::load_ontology(path, some);
+        EXPECT_LT(module.axioms.size(), whole.axioms.size());
+        std::set<std::string> axioms;  // each with its place
+        const auto words = [](const owl::Axiom& axiom) {
+            return at(axiom.source.file, axiom.source.line, to_manchester(axiom));
+        };
+        for (const owl::Axiom& axiom : whole.axioms) axioms.insert(words(axiom));
+        for (const owl::Axiom& axiom : module.axioms) EXPECT_TRUE(axioms.contains(words(axiom))) << words(axiom);
+        const Domain one = compile(whole), other = compile(module);
+        ASSERT_EQ(one.regions.variables.size(), other.regions.variables.size());
+        for (std::size_t v = 0; v < one.regions.variables.size(); ++v) {
+            EXPECT_EQ(one.regions.variables[v].iri, other.regions.variables[v].iri);
+            EXPECT_EQ(one.regions.variables[v].values, other.regions.variables[v].values);
+        }
+        ASSERT_EQ(one.regions.concepts.size(), other.regions.concepts.size());
+        for (std::size_t c = 0; c < one.regions.concepts.size(); ++c)
+            EXPECT_EQ(one.regions.concepts[c].where, other.regions.concepts[c].where) << one.regions.concepts[c].iri;
+        EXPECT_EQ(one.objects().size, other.objects().size);
+        EXPECT_EQ(one.warnings, other.warnings);
+    }
 }
