@@ -241,9 +241,11 @@ GltfFile::GltfFile(std::string_view bytes, const std::string& name, const Compan
     if (!json_.is_object() || !json_.contains("asset"))
         fail("is not a mesh that can be read: a glTF file is a JSON object with the member asset");
     const std::string version = root()["asset"]["version"].text();
-    if (!version.starts_with("2."))
-        fail(fmt::format("is glTF version {}; only version 2 can be read",
-                         version.empty() ? "unknown" : "other than 2"));
+    if (!version.starts_with("2.")) {
+        const bool is_plain = version.size() <= 8 && version.find_first_not_of("0123456789.") == std::string::npos;
+        fail(fmt::format("is glTF {}; only version 2 can be read",
+                         version.empty() || !is_plain ? "of an unknown version" : "version " + version));
+    }
     const GltfValue required = root()["extensionsRequired"];
     for (std::size_t i = 0; i < required.size(); ++i)
         if (!is_harmless(required[i].text()))
