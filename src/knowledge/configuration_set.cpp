@@ -207,12 +207,24 @@ ConfigurationSet ConfigurationSet::complement() const {
     return is_empty() ? all : all -= *this;
 }
 
-void ConfigurationSet::insert_range(std::size_t first, std::size_t end) {
-    while (first < end) {
-        const std::size_t bits = std::min(end - first, 64 - first % 64);
-        words_[first / 64] |= (bits == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << bits) - 1) << (first % 64);
-        first += bits;
+ConfigurationSet ConfigurationSet::every(std::size_t size, std::size_t first, std::size_t run, std::size_t period) {
+    ConfigurationSet result(size);
+    std::vector<std::uint64_t>& words = result.words_;
+    for (std::size_t i = first, end = std::min(first + run, size); i < end;) {
+        const std::size_t bits = std::min(end - i, 64 - i % 64);
+        words[i / 64] |= (bits == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << bits) - 1) << (i % 64);
+        i += bits;
     }
+    for (std::size_t filled = period; filled < size; filled *= 2) {  // what is there once more, behind itself
+        const std::size_t shift = filled % 64, words_filled = (filled + 63) / 64;
+        for (std::size_t w = words_filled; w-- > 0;) {
+            const std::size_t to = w + filled / 64;
+            if (shift > 0 && to + 1 < words.size()) words[to + 1] |= words[w] >> (64 - shift);
+            if (to < words.size()) words[to] |= words[w] << shift;
+        }
+    }
+    if (size % 64 != 0) words.back() &= (std::uint64_t{1} << (size % 64)) - 1;
+    return result;
 }
 
 ConfigurationSet ConfigurationSet::packed(const ConfigurationSet& kept) const {

@@ -22,6 +22,10 @@ class ConfigurationSet {
 public:
     ConfigurationSet() = default;
     explicit ConfigurationSet(std::size_t size, bool full = false);
+    /// Of a listed space: the `run` configurations from `first` on, and the same again after each `period` >= first +
+    /// run.
+    [[nodiscard]] static ConfigurationSet every(std::size_t size, std::size_t first, std::size_t run,
+                                                std::size_t period);
     /// Of a compiled space: the configurations in which every literal holds.
     ConfigurationSet(std::shared_ptr<const Diagram> diagram, std::vector<int> literals);
 
@@ -46,7 +50,6 @@ public:
     /// Of listed spaces only: single configurations, by number.
     [[nodiscard]] bool has(std::size_t i) const { return (words_[i / 64] >> (i % 64)) & 1U; }
     void insert(std::size_t i) { words_[i / 64] |= std::uint64_t{1} << (i % 64); }
-    void insert_range(std::size_t first, std::size_t end);
     /// The configuration with the lowest number.
     [[nodiscard]] std::optional<std::size_t> first() const;
     /// Calls `visit(i)` for each configuration in the set, ascending.

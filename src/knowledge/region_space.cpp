@@ -221,10 +221,11 @@ Layer build_regions(const Theory& theory, const Scope& scope, const CompileOptio
     space.size = space.product;
     std::size_t run = space.size;
     for (const Variable& variable : space.variables) {
+        const std::size_t period = run;
         run /= variable.values.size();
-        std::vector<ConfigurationSet> holds(variable.values.size(), ConfigurationSet(space.size));
-        for (std::size_t i = 0, value = 0; i < space.size; i += run, value = value + 1 == holds.size() ? 0 : value + 1)
-            holds[value].insert_range(i, i + run);
+        std::vector<ConfigurationSet> holds;
+        for (std::size_t value = 0; value < variable.values.size(); ++value)
+            holds.push_back(ConfigurationSet::every(space.size, value * run, run, period));
         space.holds.push_back(std::move(holds));
     }
     close_layer(theory, scope, {Level::region, -1}, layer);
