@@ -57,13 +57,15 @@ struct Scene {
     const TriangleMesh& mesh;
     const Annotation& annotation;
     Lamps lamps;
-    double scale;                                  ///< samples for a length of 1
-    std::vector<Vec3> seen;                        ///< per vertex: column, row, depth
+    double scale;            ///< samples for a length of 1
+    std::vector<Vec3> seen;  ///< per vertex: column, row, depth
+    std::vector<Color> part_colors;
     std::vector<std::vector<std::int32_t>> bands;  ///< triangles of each band
 
     Scene(const TriangleMesh& m, const PlacedMesh& placed, const Annotation& a, const Camera& camera, const Vec3& up,
           const Frame& frame)
         : mesh(m), annotation(a), lamps(camera, up), scale(2 * camera.scale), seen(m.positions.size()) {
+        for (const AnnotatedPart& part : a.parts) part_colors.push_back(color_of(part));
         const Vec3 corner(frame.left + 0.25 + nudge_x, frame.top + 0.25 + nudge_y, 0);  // the first sample
         for (std::size_t v = 0; v < seen.size(); ++v) {
             seen[v] = camera.see(placed.place(m.positions[v])) - corner;
@@ -119,9 +121,8 @@ private:
             Facet facet;
             facet.plane = samples_.add(corners, static_cast<std::int32_t>(facets_.size()));
             facet.part = scene_.annotation.part_of_triangle[t];
-            const Color color = facet.part < 0
-                                    ? unlabelled_color
-                                    : color_of(scene_.annotation.parts[static_cast<std::size_t>(facet.part)]);
+            const Color color =
+                facet.part < 0 ? unlabelled_color : scene_.part_colors[static_cast<std::size_t>(facet.part)];
             Vec3 towards(facet.plane.along_x * scene_.scale, facet.plane.along_y * scene_.scale, -1);
             facet.color = shaded(color, scene_.lamps.on(towards.normalized()));
             facets_.push_back(facet);
@@ -136,6 +137,8 @@ private:
         const Facet& first = facets_[static_cast<std::size_t>(p)];
         const Facet& second = facets_[static_cast<std::size_t>(q)];
         if (first.part != second.part) return true;
+        if (std::max(first.plane.far, second.plane.far) - std::min(first.plane.near, second.plane.near) <= depth_jump)
+            return false;
         const double here = first.plane.at(x, y, 0), there = second.plane.at(u, v, 0);
         if (std::abs(here - there) <= depth_jump) return false;
         const double forth = std::abs(first.plane.at(u, v, 0.5) - there);
@@ -178,18 +181,21 @@ private:
         const std::int32_t *upper = samples_.row(2 * y + 1) + 1, *lower = samples_.row(2 * y + 2) + 1;
         const std::uint8_t* split = split_.data() + static_cast<std::size_t>(2 * y + 1) * columns + 1;
         const int last = std::min(frame_.width - 1, (last_column_ - 1) / 2);
+        const auto paint = [&](int x, Color color) { canvas.set(frame_.left + x, frame_.top + top + y, color); };
+        std::int32_t before = -1;  // what the last plain pixel showed
+        Color color = white;
         for (int x = std::max(first_column_ - 1, 0) / 2; x <= last; ++x) {
             const std::int32_t *above = upper + 2 * x, *under = lower + 2 * x;
             const std::uint8_t* at = split + static_cast<std::ptrdiff_t>(2) * x;
-            const bool is_plain = (at[0] | at[1] | at[columns] | at[columns + 1]) == 0;
             const std::int32_t front = above[0];
-            if (is_plain && ((front ^ above[1]) | (front ^ under[0]) | (front ^ under[1])) == 0) {
-                if (front >= 0)
-                    canvas.set(frame_.left + x, frame_.top + top + y, facets_[static_cast<std::size_t>(front)].color);
-            } else {
-                canvas.set(frame_.left + x, frame_.top + top + y,
-                           mean({front, above[1], under[0], under[1]}, {at[0], at[1], at[columns], at[columns + 1]}));
+            const bool is_mixed = ((front ^ above[1]) | (front ^ under[0]) | (front ^ under[1])) != 0;
+            if (is_mixed || (at[0] | at[1] | at[columns] | at[columns + 1]) != 0) {
+                paint(x, mean({front, above[1], under[0], under[1]}, {at[0], at[1], at[columns], at[columns + 1]}));
+                continue;
             }
+            if (front < 0) continue;
+            if (front != before) color = facets_[static_cast<std::size_t>(before = front)].color;
+            paint(x, color);
         }
     }
 
