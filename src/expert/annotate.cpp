@@ -153,8 +153,10 @@ std::string why_not(const Session& session) {
 }
 
 /// What is still open for want of an algorithm, a unit or colours.
-std::vector<std::string> open_questions(const Session& session, const std::vector<Naming>& namings) {
+std::vector<std::string> open_questions(const Session& session, const std::vector<Naming>& namings,
+                                        const Conclusions& known) {
     std::vector<std::string> open;
+    if (!known.left_aside.empty()) open.push_back("what only the whole mesh tells stays open: " + known.left_aside);
     if (needs_appearance(session.catalogue()) && !session.object().appearance)
         open.emplace_back("the mesh has no colours, so what hangs on them stays open");
     for (int region = 0; region < session.region_count(); ++region) {
@@ -290,7 +292,7 @@ Annotation annotate(const Domain& domain, const Catalogue& catalogue, const Obje
     for (const auto& [a, b] : knowledge.connected) annotation.connected.emplace_back(a + 1, b + 1);
     if (options.diagnose) annotation.diagnosis = diagnose(session, known);
     annotation.consistent = !known.contradiction && known.diagnoses.empty() && annotation.diagnosis.empty();
-    annotation.open_questions = open_questions(session, namings);
+    annotation.open_questions = open_questions(session, namings, known);
     if (!session.trace.empty() && !annotation.classes.empty())
         session.trace.back().inferred.push_back("the object is " +
                                                 fmt::format("{}", fmt::join(annotation.classes, ", ")));

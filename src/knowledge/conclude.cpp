@@ -34,15 +34,17 @@ std::shared_ptr<const Space> objects_with(const Grounding& grounding, std::vecto
     return space;
 }
 
-/// Null where configuration spaces say all, where a region contradicts itself, and where the mesh is too large.
+/// Null where configuration spaces say all, where a region contradicts itself, and where the mesh is too large, which
+/// `left_aside` says then.
 std::unique_ptr<MeshReasoner> reasoner_for(const Domain& domain, const Knowledge& knowledge,
-                                           const std::vector<ConfigurationSet>& regions) {
+                                           const std::vector<ConfigurationSet>& regions, std::string& left_aside) {
     if (!needs_mesh_world(domain, knowledge) ||
         std::ranges::any_of(regions, [](const ConfigurationSet& region) { return region.is_empty(); }))
         return nullptr;
     try {
         return std::make_unique<MeshReasoner>(domain, knowledge);
-    } catch (const OntologyError&) {  // too many clauses: what else cannot be grounded, compile() has refused
+    } catch (const OntologyError& error) {  // too many clauses: what else cannot be grounded, compile() has refused
+        left_aside = error.what();
         return nullptr;
     }
 }
@@ -74,7 +76,8 @@ Conclusions conclude_object(const Domain& domain, const Knowledge& knowledge, st
     Conclusions conclusions;
     conclusions.regions = std::move(regions);
     bool is_contradicted = false;
-    const std::unique_ptr<MeshReasoner> reasoner = reasoner_for(domain, knowledge, conclusions.regions);
+    const std::unique_ptr<MeshReasoner> reasoner =
+        reasoner_for(domain, knowledge, conclusions.regions, conclusions.left_aside);
     if (reasoner) is_contradicted = !reasoner->narrow(conclusions.regions);
     const Grounding& grounding = *domain.grounding;
     const Parts& parts = grounding.assembly.parts;

@@ -38,6 +38,7 @@ struct Conclusions {
     std::shared_ptr<const Space> objects;   ///< those configurations of an object that regions like these can make up
     ConfigurationSet object;                ///< what is still possible of them (incompatible ones included)
     std::vector<CompositePart> composites;  ///< that there are in any case; by group, then by regions
+    std::string left_aside;                 ///< why the closed world of the mesh was not looked at; mostly empty
     bool contradiction = false;             ///< some set is empty: answers and axioms cannot all hold
     std::vector<Iri> diagnoses;  ///< incompatible concepts that the object or a part of it is entailed to be; sorted
 };
