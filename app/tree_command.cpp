@@ -74,8 +74,7 @@ int run_tree(const Arguments& arguments) {
     std::function<std::optional<double>(knowledge::Question)> find_all;
     if (of_regions)
         find_all = [&](knowledge::Question question) -> std::optional<double> {
-            const ElementaryAlgorithm* algorithm = catalogue.find(Signature::find_all, question);
-            return algorithm ? std::optional(algorithm->cost) : std::nullopt;
+            return catalogue.cutting_cost(question, 0);
         };
     knowledge::TreeLimits limits;
     limits.nodes = arguments.nodes;

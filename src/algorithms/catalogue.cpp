@@ -2,7 +2,9 @@
  *
  * `is a` needs no code: the ontology ties a concept to measurements and trapezoids, and the score is the lowest of them
  * (paper §4.1, §6.3). `find all` exists for the shapes of boxes, as in paper §4.2.2: one segmentation cuts the mesh
- * into box-like regions, and each `find all` keeps those that are the shape asked for. A number that an axiom mentions
+ * into box-like regions, and each `find all` keeps those that are the shape asked for. Every other concept that is
+ * asked for has a derived `find all` (derive.cpp) at three times the cost; how fine it looks, core:regions of the range
+ * tells. A number that an axiom mentions
  * ("height <= 0.55") is answered by its measure; its score falls from 1 to 0 over a tenth of the number at either side.
  */
 
@@ -32,6 +34,23 @@ constexpr double read_off_cost = 0.01;  ///< of what is known once the region is
 constexpr double find_all_cost = 20;  ///< one `find all` against one `is a`: it browses the whole mesh (paper §5.2.3)
 
 constexpr double related_cost = 2;  ///< T, some of them: it looks at other regions, too
+
+constexpr double derived_cost = 60;  ///< of a derived `find all`: it measures each candidate, too
+
+/// How fine a derived `find all` looks: core:regions of the range concept, "parts" without it.
+Grain grain_of(const Domain& domain, const owl::Iri& range) {
+    const auto found = domain.ontology.annotations.find(range);
+    if (found == domain.ontology.annotations.end()) return Grain::parts;
+    for (const owl::Annotation& annotation : found->second) {
+        if (annotation.property != std::string(owl::core_prefix) + "regions") continue;
+        if (annotation.literal.value == "patches") return Grain::patches;
+        if (annotation.literal.value == "parts") return Grain::parts;
+        throw OntologyError(at(annotation.source.file, annotation.source.line,
+                               fmt::format("regions \"{}\" of {} should be \"parts\" or \"patches\"",
+                                           annotation.literal.value, owl::local_name(range))));
+    }
+    return Grain::parts;
+}
 
 /// Shapes that find_parts cuts, and colours, along whose borders its regions are cut further: what a region of such a
 /// partition can be told to be.
@@ -104,6 +123,16 @@ const ElementaryAlgorithm* Catalogue::find(Signature signature, Question questio
     return found == algorithms.end() ? nullptr : &*found;
 }
 
+std::optional<double> Catalogue::cutting_cost(Question question, std::size_t parts) const {
+    const ElementaryAlgorithm* algorithm = find(Signature::find_all, question);
+    if (!algorithm) return std::nullopt;
+    if (!algorithm->grain) return algorithm->cost;
+    if (has_own_find_all) return std::nullopt;
+    const ElementaryAlgorithm* one = find(Signature::is_a, question);
+    const bool pays = *algorithm->grain == Grain::patches || algorithm->cost < one->cost * static_cast<double>(parts);
+    return pays ? std::optional(algorithm->cost) : std::nullopt;
+}
+
 Catalogue make_catalogue(const Domain& domain) {
     check_relations(domain);
     Catalogue catalogue;
@@ -112,6 +141,7 @@ Catalogue make_catalogue(const Domain& domain) {
         const Variable& variable = variables[static_cast<std::size_t>(v)];
         if (variable.kind == VariableKind::range) {
             const knowledge::RangeConcept& range = domain.ranges[static_cast<std::size_t>(variable.index)];
+            const Grain grain = grain_of(domain, range.iri);
             for (int i = 0; i < static_cast<int>(range.values.size()); ++i) {
                 const knowledge::ElementaryConcept& value = range.values[static_cast<std::size_t>(i)];
                 if (value.criteria.empty()) continue;
@@ -137,6 +167,19 @@ Catalogue make_catalogue(const Domain& domain) {
                                                     look == AppearanceNeed::none ? Origin::own : Origin::derived,
                                                     {},
                                                     look});
+                else if (value.cost != 0)
+                    catalogue.algorithms.push_back({Signature::find_all,
+                                                    {v, i},
+                                                    name,
+                                                    grain == Grain::patches
+                                                        ? "best of parts, their unions and patches by `is a`"
+                                                        : "best of parts and their unions by `is a`",
+                                                    derived_cost * std::max(1.0, value.cost.value_or(1)),
+                                                    needs_metres,
+                                                    Origin::derived,
+                                                    {},
+                                                    look,
+                                                    grain});
                 catalogue.algorithms.push_back({Signature::is_a,
                                                 {v, i},
                                                 name,
@@ -184,6 +227,9 @@ Catalogue make_catalogue(const Domain& domain) {
         catalogue.algorithms.push_back(
             {Signature::related, {v, 0}, to_manchester(*variable.part_class), method, cost, false});
     }
+    catalogue.has_own_find_all = std::ranges::any_of(catalogue.algorithms, [](const ElementaryAlgorithm& algorithm) {
+        return algorithm.signature == Signature::find_all && !algorithm.grain;
+    });
     return catalogue;
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "algorithms/derive.h"
 #include "algorithms/formula.h"
 #include "algorithms/object.h"
 #include "knowledge/decision_tree.h"
@@ -31,14 +32,20 @@ struct ElementaryAlgorithm {
     Origin origin = Origin::own;
     std::vector<Formula> formulas = {};          ///< SI: of the concept's criteria, in their order; or of the number
     AppearanceNeed look = AppearanceNeed::none;  ///< what the file must tell for an answer
+    std::optional<Grain> grain = {};             ///< SF that is derived from the `is a`: what it browses
 };
 
 /// All elementary algorithms for a domain: an `is a` for every elementary concept with criteria and every number that
-/// axioms mention, a `find all` for the box shapes and for colours, a T for every statement about relations all of
-/// which have criteria.
+/// axioms mention, a `find all` for the box shapes and for colours and derived ones for other concepts, a T for every
+/// statement about relations all of which have criteria.
 struct Catalogue {
     std::vector<ElementaryAlgorithm> algorithms;
     [[nodiscard]] const ElementaryAlgorithm* find(Signature signature, knowledge::Question question) const;
+    bool has_own_find_all = false;
+    /// Cost of the question's `find all`, where it is worth asking while `parts` parts are not yet regions: an own one
+    /// always is; a derived one when there are no own ones, and when it finds surfaces inside of parts or costs less
+    /// than asking `is a` of each part. nullopt otherwise.
+    [[nodiscard]] std::optional<double> cutting_cost(knowledge::Question question, std::size_t parts) const;
 };
 
 /// Throws OntologyError when core:measure or core:criterion names a measure that does not exist (with the nearest right

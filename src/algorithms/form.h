@@ -22,4 +22,12 @@ namespace partonomy {
 [[nodiscard]] double mirror_difference(const Object& object, const RegionMeasurements& region);
 [[nodiscard]] double turn_difference(const Object& object, const RegionMeasurements& region);
 
+/// What the region's surface is made of, cut the first time that it is asked for.
+[[nodiscard]] const std::vector<Patch>& patches_of(const Object& object, const RegionMeasurements& region);
+/// Share of the area in patches of a kind; and that of the most frequent kind but freeform.
+[[nodiscard]] double kind_share(const Object& object, const RegionMeasurements& region, SurfaceKind kind);
+[[nodiscard]] double primitive_share(const Object& object, const RegionMeasurements& region);
+/// Of the largest flat patch.
+[[nodiscard]] Outline largest_outline(const Object& object, const RegionMeasurements& region);
+
 }  // namespace partonomy

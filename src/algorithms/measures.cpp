@@ -30,7 +30,7 @@ double end_height(const Object& object, const RegionMeasurements& region) {
     return above_ground <= below_top ? above_ground : 1 - below_top;
 }
 
-const std::array<Measure, 28> measures = {{
+const std::array<Measure, 36> measures = {{
     {"l0/l1", "1", "longest over middle length of the smallest oriented box", false, Effort::at_once,
      [](const Object&, const RegionMeasurements& r) { return ratio(r.lengths[0], r.lengths[1]); }},
     {"l1/l2", "1", "middle over shortest length of the smallest oriented box", false, Effort::at_once,
@@ -93,6 +93,21 @@ const std::array<Measure, 28> measures = {{
     {"turn difference", "1",
      "the same for a turn about a vertical axis, by a half down to a sixth of a whole turn, the best of them", false,
      Effort::on_demand, turn_difference},
+    {"flat share", "1", "share of the surface that is flat", false, Effort::on_demand,
+     [](const Object& o, const RegionMeasurements& r) { return kind_share(o, r, SurfaceKind::flat); }},
+    {"cylinder share", "1", "share of the surface that is part of a cylinder", false, Effort::on_demand,
+     [](const Object& o, const RegionMeasurements& r) { return kind_share(o, r, SurfaceKind::cylinder); }},
+    {"sphere share", "1", "share of the surface that is part of a sphere", false, Effort::on_demand,
+     [](const Object& o, const RegionMeasurements& r) { return kind_share(o, r, SurfaceKind::sphere); }},
+    {"cone share", "1", "share of the surface that is part of a cone", false, Effort::on_demand,
+     [](const Object& o, const RegionMeasurements& r) { return kind_share(o, r, SurfaceKind::cone); }},
+    {"torus share", "1", "share of the surface that is part of a torus", false, Effort::on_demand,
+     [](const Object& o, const RegionMeasurements& r) { return kind_share(o, r, SurfaceKind::torus); }},
+    {"primitive share", "1", "the largest of these five", false, Effort::on_demand, primitive_share},
+    {"rectangle fill", "1", "area of the largest flat patch, holes filled, over that of its smallest rectangle", false,
+     Effort::on_demand, [](const Object& o, const RegionMeasurements& r) { return largest_outline(o, r).rectangle; }},
+    {"disc fill", "1", "area of the largest flat patch, holes filled, over that of a disc as wide", false,
+     Effort::on_demand, [](const Object& o, const RegionMeasurements& r) { return largest_outline(o, r).disc; }},
 }};
 
 }  // namespace

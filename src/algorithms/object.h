@@ -10,6 +10,7 @@
 
 #include "mesh/triangle_mesh.h"
 #include "shape/find_parts.h"
+#include "shape/patches.h"
 
 namespace partonomy {
 
@@ -41,6 +42,7 @@ struct CalmSurface {
     TriangleMesh mesh;
     TriangleGeometry geometry;
     Adjacency adjacency;
+    double noise = 0;  ///< how far it still is from the surface before the noise, about
 };
 
 /// A mesh ready to be asked about.
@@ -82,13 +84,14 @@ struct RegionMeasurements {
     double low = 0, high = 0;  ///< extent along up, in file units; a stray hundredth of the area does not count
     double area = 0;           ///< squared file units
     double plan_area = 0;      ///< of the upper side, seen from above; squared file units
-    std::span<const std::int32_t> triangles;                ///< of the region; the object's candidates own them
-    Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();     ///< of the box, as columns
-    Vec3 centre = Vec3::Zero();                             ///< of the box
-    mutable std::optional<Surroundings> surroundings;       ///< once a question needed them: look_around
-    mutable std::shared_ptr<const SurfaceSamples> samples;  ///< once a question needed them: samples_of
-    mutable std::shared_ptr<const RegionColors> colors;     ///< the same: look_at_colors
-    mutable std::shared_ptr<const RegionPattern> pattern;   ///< the same: look_at_pattern
+    std::span<const std::int32_t> triangles;                    ///< of the region; the object's candidates own them
+    Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();         ///< of the box, as columns
+    Vec3 centre = Vec3::Zero();                                 ///< of the box
+    mutable std::optional<Surroundings> surroundings;           ///< once a question needed them: look_around
+    mutable std::shared_ptr<const SurfaceSamples> samples;      ///< once a question needed them: samples_of
+    mutable std::shared_ptr<const RegionColors> colors;         ///< the same: look_at_colors
+    mutable std::shared_ptr<const RegionPattern> pattern;       ///< the same: look_at_pattern
+    mutable std::shared_ptr<const std::vector<Patch>> patches;  ///< the same: patches_of
     mutable std::map<std::string, double> asked;  ///< values of measures and formulas that are taken on demand
 };
 

@@ -14,6 +14,7 @@ namespace partonomy {
 namespace {
 
 constexpr int sample_count = 3000;
+constexpr double left_over = 0.3;  // noise that smoothing leaves, of what it took
 
 SurfaceSamples take_samples(const CalmSurface& surface, const Object& object, std::span<const std::int32_t> triangles) {
     SurfaceSamples samples;
@@ -51,7 +52,15 @@ const CalmSurface& calm_surface(const Object& object) {
     surface->adjacency = build_adjacency(object.mesh);
     surface->geometry = object.geometry;
     Calming calming = calm(object.mesh, surface->adjacency, surface->geometry);
-    surface->mesh = calming.mesh.triangles.empty() ? object.mesh : std::move(calming.mesh);
+    if (calming.mesh.triangles.empty()) {
+        surface->mesh = object.mesh;
+    } else {
+        surface->mesh = std::move(calming.mesh);
+        double moved = 0;
+        for (std::size_t v = 0; v < object.mesh.positions.size(); ++v)
+            moved += (surface->mesh.positions[v] - object.mesh.positions[v]).squaredNorm();
+        surface->noise = left_over * std::sqrt(moved / static_cast<double>(object.mesh.positions.size()));
+    }
     object.calm = std::move(surface);
     return *object.calm;
 }

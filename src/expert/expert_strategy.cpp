@@ -2,7 +2,7 @@
  *
  * 1. Cut. While a part of the mesh is uncut, the tree's next `find all` question is asked of it. When the remaining
  * values of the range can no longer be told apart by a `find all` (only Cube is left), the pieces of the rest are
- * regions with that value inferred.
+ * regions with that value inferred. Where the ontology speaks of no shape, derived `find all`s cut out what is wanted.
  * 2. Name. Each region walks the tree by `is a` questions until every concept that the expert defined is decided.
  * 3. Relate. Names that hang on relations to other regions are asked for when those have their names, in rounds, as
  * long as a round brings an answer.
@@ -64,6 +64,8 @@ void cut(Session& session, SplitCriterion criterion) {
     PlanOptions plan;
     plan.criterion = criterion;
     plan.cost = [&](Question question) { return session.find_all_cost(question); };
+    // Shapes cut the whole mesh into parts; a derived `find all` costs more and is only asked for what is wanted.
+    if (!session.has_own_find_all()) plan.wanted = session.wanted();
     const Planner planner(session.domain().regions, plan);
     do {
         const auto question = planner.best(session.rest_possible());

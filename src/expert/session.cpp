@@ -103,33 +103,68 @@ void Session::read_off(int region, int variable) {
             if (score < 0.5) learn(region, question, false, 1 - score);
 }
 
+Session::Candidate Session::make_candidate(PartRegion part) const {
+    Candidate candidate;
+    candidate.part = std::move(part);
+    candidate.measurements = measure_region(object_, candidate.part);
+    return candidate;
+}
+
+std::vector<std::pair<Session::Candidate, double>> Session::take_derived(const ElementaryAlgorithm& algorithm) {
+    std::vector<const PartRegion*> parts;
+    for (const Candidate& candidate : rest_) parts.push_back(&candidate.part);
+    DerivedRegions derived =
+        derive_find_all(object_, parts, *algorithm.grain, [&](const RegionMeasurements& measurements) {
+            return is_a(domain_, catalogue_, algorithm.question, object_, measurements);
+        });
+    std::vector<std::pair<Candidate, double>> found;
+    std::vector<char> is_used(rest_.size(), 0);
+    for (DerivedRegion& region : derived.found) {
+        for (const std::size_t part : region.of) is_used[part] = 1;
+        if (region.is_whole)
+            found.emplace_back(std::move(rest_[region.of.front()]), region.score);
+        else  // what was answered about the parts need not hold for their union or for a piece
+            found.emplace_back(make_candidate(std::move(region.part)), region.score);
+    }
+    std::vector<Candidate> rest;
+    for (std::size_t i = 0; i < rest_.size(); ++i)
+        if (!is_used[i]) rest.push_back(std::move(rest_[i]));
+    for (PartRegion& part : derived.rests) rest.push_back(make_candidate(std::move(part)));
+    rest_ = std::move(rest);
+    return found;
+}
+
 int Session::find_all(Question question) {
     const Stopwatch watch;
     ++find_all_count;
-    std::vector<Candidate> rest;
+    const ElementaryAlgorithm* algorithm = catalogue_.find(Signature::find_all, question);
     std::vector<int> found;
     double lowest = 1;
+    const auto cut = [&](Candidate&& candidate, double score) {
+        const int region = add_region(std::move(candidate));
+        learn(region, question, true, score);
+        lowest = std::min(lowest, score * part(region).fit);
+        found.push_back(region);
+    };
+    if (algorithm && algorithm->grain)
+        for (auto& [candidate, score] : take_derived(*algorithm)) cut(std::move(candidate), score);
+    std::vector<Candidate> rest;
     for (Candidate& candidate : rest_) {
         const double score = is_a(domain_, catalogue_, question, object_, candidate.measurements).value_or(0);
         if (score >= 0.5) {
-            const int region = add_region(std::move(candidate));
-            learn(region, question, true, score);
-            lowest = std::min(lowest, score * part(region).fit);
-            found.push_back(region);
+            cut(std::move(candidate), score);
         } else {
             candidate.ruled_out.push_back({-1, question, false});
             candidate.scores.push_back(1 - score);
             rest.push_back(std::move(candidate));
         }
     }
-    const bool was_whole = rest.size() == rest_.size() + found.size() && find_all_count == 1;
     rest_ = std::move(rest);
     rest_possible_ -= yes_set(domain_.regions, question);
 
-    const ElementaryAlgorithm* algorithm = catalogue_.find(Signature::find_all, question);
     TraceEntry entry;
     entry.kind = "SF";
-    entry.region = find_all_count == 1 || was_whole ? "mesh" : "rest";
+    entry.region = find_all_count == 1 ? "mesh" : "rest";
     entry.question = fmt::format("find all {} in the {}", algorithm ? algorithm->name : "?", entry.region);
     entry.answer = fmt::format("{} region{}", found.size(), found.size() == 1 ? "" : "s");
     entry.score = found.empty() ? 1 : lowest;
@@ -324,8 +359,9 @@ std::optional<double> Session::is_a_cost(Question question) const {
 
 std::optional<double> Session::find_all_cost(Question question) const {
     const ElementaryAlgorithm* algorithm = catalogue_.find(Signature::find_all, question);
-    if (!algorithm || !tells(object_, algorithm->look)) return std::nullopt;
-    return algorithm->cost;
+    if (!algorithm || (algorithm->needs_metres && !object_.placement.metres_per_unit)) return std::nullopt;
+    if (!tells(object_, algorithm->look)) return std::nullopt;
+    return catalogue_.cutting_cost(question, rest_.size());
 }
 
 }  // namespace partonomy

@@ -20,7 +20,8 @@ public:
     /// All three must outlive the session.
     Session(const knowledge::Domain& domain, const Catalogue& catalogue, const Object& object);
 
-    /// SF: cuts all regions out of the uncut rest that are what the question says. Returns how many.
+    /// SF: cuts all regions out of the uncut rest that are what the question says, by the question's own algorithm or a
+    /// derived one. Returns how many.
     int find_all(knowledge::Question question);
 
     /// SI: asks whether a region is what the question says, and learns the answer. nullopt when no algorithm can tell.
@@ -60,8 +61,10 @@ public:
 
     /// Costs of the questions that can be answered on a cut region; for knowledge::PlanOptions.
     [[nodiscard]] std::optional<double> is_a_cost(knowledge::Question question) const;
-    /// The same for `find all`.
+    /// The same for `find all`, where it is worth asking now (Catalogue::cutting_cost).
     [[nodiscard]] std::optional<double> find_all_cost(knowledge::Question question) const;
+
+    [[nodiscard]] bool has_own_find_all() const { return catalogue_.has_own_find_all; }
 
     /// Concepts of a region that an answer is wanted for: those that the expert defined.
     [[nodiscard]] const std::vector<knowledge::ConceptId>& wanted() const { return wanted_; }
@@ -85,6 +88,9 @@ private:
     };
     static std::size_t index(int region) { return static_cast<std::size_t>(region); }
     int add_region(Candidate candidate);
+    [[nodiscard]] Candidate make_candidate(PartRegion part) const;
+    /// Takes the regions that a derived `find all` finds from the rest, with their scores.
+    std::vector<std::pair<Candidate, double>> take_derived(const ElementaryAlgorithm& algorithm);
     std::optional<bool> ask_relation(int region, knowledge::Question question);
     /// T, counted and traced; what was asked before is not asked again.
     std::optional<double> relate(const knowledge::RelationTuple& tuple);

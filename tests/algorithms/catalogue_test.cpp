@@ -45,10 +45,12 @@ RegionMeasurements with_lengths(double l0, double l1, double l2) {
 }
 
 TEST(Catalogue, TwelveConceptsOfThePaper) {
-    int find_all = 0, concepts = 0, numbers = 0;
+    int find_all = 0, derived = 0, concepts = 0, numbers = 0;
     for (const ElementaryAlgorithm& algorithm : catalogue().algorithms) {
         const auto& variable = furniture().regions.variables[static_cast<std::size_t>(algorithm.question.variable)];
-        if (algorithm.signature == Signature::find_all)
+        if (algorithm.signature == Signature::find_all && algorithm.origin == Origin::derived)
+            ++derived;
+        else if (algorithm.signature == Signature::find_all)
             ++find_all;
         else if (variable.kind == knowledge::VariableKind::range)
             ++concepts;
@@ -57,6 +59,7 @@ TEST(Catalogue, TwelveConceptsOfThePaper) {
         EXPECT_GT(algorithm.cost, 0);
     }
     EXPECT_EQ(find_all, 3);
+    EXPECT_EQ(derived, 9);  // of the concepts that have no own one
     EXPECT_EQ(concepts, 12);
     EXPECT_EQ(numbers, 2);  // height <= 0.55, width <= 0.55
 }

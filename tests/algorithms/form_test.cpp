@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "algorithms/catalogue.h"
-#include "shape/solids.h"
 #include "shape/part_box.h"
+#include "shape/solids.h"
 
 namespace partonomy {
 namespace {
@@ -26,11 +26,11 @@ struct Knowing {
             "@prefix rdfs: <http://www.w3.org/2000/01/rdf-schema#> .\n"
             "<http://example.org/> a owl:Ontology ; owl:imports <https://w3id.org/partonomy/core> .\n";
         const std::vector<std::pair<std::string, std::string>> spoken_of = {
-            {"Slope", "Oblique"},         {"Section", "Round"},
-            {"Taper", "Tapered"},         {"Bend", "Bent"},
-            {"Hollowness", "Hollow"},     {"Symmetry", "MirrorSymmetric"},
-            {"Convexity", "Concave"},     {"TurnSymmetry", "TurnSymmetric"},
-            {"ModularSeries", "Series43"}};
+            {"Slope", "Oblique"},          {"Section", "Round"},
+            {"Taper", "Tapered"},          {"Bend", "Bent"},
+            {"Hollowness", "Hollow"},      {"Symmetry", "MirrorSymmetric"},
+            {"Convexity", "Concave"},      {"TurnSymmetry", "TurnSymmetric"},
+            {"ModularSeries", "Series43"}, {"SurfaceType", "Cylinder"}};
         for (const auto& [range, value] : spoken_of)
             text += ":A" + value + " a owl:Class ; rdfs:subClassOf core:Region ; owl:equivalentClass [ a owl:Class ; " +
                     "owl:intersectionOf ( core:Region [ a owl:Restriction ; owl:onProperty core:has" + range +
@@ -113,34 +113,43 @@ std::vector<Known> known_shapes() {
         all.push_back({name, std::move(mesh), std::move(is)});
     };
     add("square stick", sweep(rectangle(0.5, 0.5, s), 3, s),
-        {"Angular", "Even", "Straight", "Solid", "MirrorSymmetric", "TurnSymmetric", "Convex", "Upright"});
+        {"Angular", "Even", "Straight", "Solid", "MirrorSymmetric", "TurnSymmetric", "Convex", "Upright", "Rectangle"});
     add("flat stick", sweep(rectangle(0.7, 0.4, s), 3, s), {"Angular", "Even", "Straight", "Solid"});
     add("round stick", sweep(ellipse(0.3, 0.3, s), 3, s),
-        {"Round", "Even", "Straight", "Solid", "MirrorSymmetric", "TurnSymmetric", "Convex", "Upright"});
+        {"Round", "Even", "Straight", "Solid", "MirrorSymmetric", "TurnSymmetric", "Convex", "Upright", "Cylinder"});
     add("oval stick", sweep(ellipse(0.35, 0.22, s), 3, s), {"Round", "Even", "Straight"});
-    add("three-sided stick", sweep(regular(3, 0.4, s), 3, s), {"Angular", "Even", "Straight", "Solid"});
+    add("three-sided stick", sweep(regular(3, 0.4, s), 3, s), {"Angular", "Even", "Straight", "Solid", "Rectangle"});
     add("tapered round stick", sweep(ellipse(0.35, 0.35, s), 3, s, shrinking(3, 0.35)),
-        {"Round", "Tapered", "Straight", "Solid"});
+        {"Round", "Tapered", "Straight", "Solid", "Cone"});
     add("tapered square stick", sweep(rectangle(0.6, 0.6, s), 3, s, shrinking(3, 0.4)),
         {"Angular", "Tapered", "Straight", "Solid"});
     add("bent round stick", sweep(ellipse(0.18, 0.18, s), 3, s, along_arc(3, 60)), {"Round", "Even", "Bent", "Solid"});
     add("bent square stick", sweep(rectangle(0.35, 0.35, s), 3, s, along_arc(3, 60)),
         {"Angular", "Even", "Bent", "Solid"});
     add("board", sweep(rectangle(2, 1.4, s), 0.2, s),
-        {"Angular", "Even", "Straight", "Solid", "MirrorSymmetric", "TurnSymmetric", "Level"});
+        {"Angular", "Even", "Straight", "Solid", "MirrorSymmetric", "TurnSymmetric", "Level", "Rectangle"});
     add("round board", sweep(ellipse(1, 1, s), 0.2, s),
-        {"Round", "Even", "Straight", "Solid", "MirrorSymmetric", "TurnSymmetric", "Level"});
+        {"Round", "Even", "Straight", "Solid", "MirrorSymmetric", "TurnSymmetric", "Level", "Disc"});
     add("bent board", sweep(rectangle(0.15, 1.5, s), 2, s, along_arc(2, 80)), {"Bent", "Even", "MirrorSymmetric"});
     add("board that narrows", sweep(polygon({{-1, -0.8}, {1, -0.25}, {1, 0.25}, {-1, 0.8}}, s), 0.2, s),
-        {"Tapered", "Straight", "Solid", "MirrorSymmetric", "TurnAsymmetric", "Level"});
+        {"Tapered", "Straight", "Solid", "MirrorSymmetric", "TurnAsymmetric", "Level", "Flat"});
     add("lopsided board", sweep(polygon({{-0.9, -0.6}, {1.1, -0.6}, {-0.9, 0.9}}, s), 0.25, s),
-        {"Angular", "Straight", "Asymmetric", "TurnAsymmetric"});
+        {"Angular", "Straight", "Asymmetric", "TurnAsymmetric", "Flat"});
     add("slanting board", sweep(polygon({{-1, -0.5}, {0.6, -0.5}, {1, 0.5}, {-0.6, 0.5}}, s), 0.25, s),
         {"Straight", "Asymmetric", "TurnSymmetric"});
-    add("cube", sweep(rectangle(1, 1, s), 1, s), {"Angular", "Even", "Straight", "Solid", "MirrorSymmetric", "Convex"});
-    add("ball", ball(0.6, s), {"Round", "Even", "Straight", "Solid", "MirrorSymmetric", "TurnSymmetric", "Convex"});
-    add("ring", torus(0.8, 0.25, s), {"Round", "Even", "Solid", "MirrorSymmetric", "TurnSymmetric"});
-    add("pipe", pipe(0.5, 0.42, 2, 0.04), {"Round", "Even", "Straight", "Hollow", "MirrorSymmetric", "TurnSymmetric"});
+    add("cube", sweep(rectangle(1, 1, s), 1, s),
+        {"Angular", "Even", "Straight", "Solid", "MirrorSymmetric", "Convex", "Rectangle"});
+    add("ball", ball(0.6, s),
+        {"Round", "Even", "Straight", "Solid", "MirrorSymmetric", "TurnSymmetric", "Convex", "Sphere"});
+    add("ring", torus(0.8, 0.25, s), {"Round", "Even", "Solid", "MirrorSymmetric", "TurnSymmetric", "Torus"});
+    add("pipe", pipe(0.5, 0.42, 2, 0.04),
+        {"Round", "Even", "Straight", "Hollow", "MirrorSymmetric", "TurnSymmetric", "Cylinder"});
+    add("blob",
+        moved(ball(0.6, s),
+              [](const Vec3& p) -> Vec3 {
+                  return p * (1 + 0.25 * std::sin(5 * p.x() + 1) * std::cos(6 * p.y()) + 0.2 * std::sin(7 * p.z()));
+              }),
+        {"Freeform", "Solid"});
     add("slab on edge, tilted", tilted(sweep(rectangle(0.2, 1.2, s), 1.6, s), 45), {"Oblique", "Solid", "Straight"});
     add("leaning stick", tilted(sweep(rectangle(0.3, 0.3, s), 2.5, s), 35), {"Oblique", "Straight"});
     add("stick that hardly leans", tilted(sweep(rectangle(0.3, 0.3, s), 2.5, s), 8), {"Upright"});
