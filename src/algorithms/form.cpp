@@ -43,10 +43,12 @@ bool is_board(const Vec3& l) { return l[1] >= clearly_longer * l[2]; }
 /// length.
 struct Slices {
     std::vector<std::vector<Vec3>> slices;  ///< coordinates: along the axis, then along the two others
+    std::vector<Vec3> facing;               ///< sum of the normals in each, in the same coordinates
 
     Slices(const SurfaceSamples& samples, const RegionMeasurements& region, int axis, int count, double from, double to,
            double steepest = 2) {
         slices.resize(static_cast<std::size_t>(count));
+        facing.resize(static_cast<std::size_t>(count), Vec3::Zero());
         const std::array<int, 3> order{axis, axis == 0 ? 1 : 0, axis == 2 ? 1 : 2};
         for (std::size_t i = 0; i < samples.points.size(); ++i) {
             if (std::abs(samples.normals[i].dot(region.axes.col(axis))) > steepest) continue;
@@ -55,6 +57,8 @@ struct Slices {
             const double at = (share - from) / (to - from) * count;
             if (at < 0 || at >= count) continue;
             slices[static_cast<std::size_t>(at)].emplace_back(place[order[0]], place[order[1]], place[order[2]]);
+            const Vec3 normal = region.axes.transpose() * samples.normals[i];
+            facing[static_cast<std::size_t>(at)] += Vec3(normal[order[0]], normal[order[1]], normal[order[2]]);
         }
     }
 };
@@ -114,12 +118,21 @@ double radius_of(const std::vector<Vec3>& slice) {
 
 /// How far the middles of slices leave a straight line in the coordinate `across` of Slices, over the axis' length.
 double bend_along(const Object& object, const RegionMeasurements& region, int axis, int across) {
+    // Where another part joins, one wall is missing, and what is left is not around the middle.
+    constexpr double one_sided = 0.3;
     // The middles of a block's slices are less sure than those of a stick or a board, so they hold more points.
     const int slices = is_stick(region.lengths) || is_board(region.lengths) ? 10 : 4;
     const Slices sliced(samples_of(object, region), region, axis, slices, 0.03, 0.97);
     std::vector<Vec3> middles;
-    for (const std::vector<Vec3>& slice : sliced.slices)
-        if (slice.size() >= 5) middles.push_back(mean_of(slice));
+    for (const double most : {one_sided, 1.0}) {
+        middles.clear();
+        for (std::size_t i = 0; i < sliced.slices.size(); ++i) {
+            const auto count = static_cast<double>(sliced.slices[i].size());
+            if (count >= 5 && std::abs(sliced.facing[i][across]) <= most * count)
+                middles.push_back(mean_of(sliced.slices[i]));
+        }
+        if (middles.size() >= 4) break;  // else it is a sheet: one-sided all over
+    }
     if (middles.size() < 4 || !(region.lengths[axis] > 0)) return 0;
     const Vec3 mean = mean_of(middles);
     double xx = 0, xy = 0;

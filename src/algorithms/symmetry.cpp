@@ -22,6 +22,7 @@ namespace {
 
 constexpr std::size_t probe_stride = 20, surface_stride = 2;
 constexpr int coarse_planes = 24;
+constexpr double surely = 0.0025;  // a difference that noise makes: no better plane is looked for
 
 class Surface {
 public:
@@ -79,14 +80,15 @@ double mirror_difference(const Object& object, const RegionMeasurements& region)
         return surface.difference(Eigen::Matrix3d::Identity() - 2 * normal * normal.transpose());
     };
     std::vector<std::pair<double, double>> planes;  // difference, angle
-    for (int k = 0; k < coarse_planes; ++k) {
-        const double angle = std::numbers::pi * k / coarse_planes;
-        planes.emplace_back(at(angle), angle);
-    }
-    for (int axis = 0; axis < 3; ++axis) {  // the sides of the box are likely
+    for (int axis = 0; axis < 3; ++axis) {          // the sides of the box are likely
         const Vec3 side = region.axes.col(axis);
         if (std::abs(side.dot(up)) > 0.99) continue;
         const double angle = std::atan2(side.dot(y), side.dot(x));
+        planes.emplace_back(at(angle), angle);
+        if (planes.back().first < surely) return planes.back().first;
+    }
+    for (int k = 0; k < coarse_planes; ++k) {
+        const double angle = std::numbers::pi * k / coarse_planes;
         planes.emplace_back(at(angle), angle);
     }
     std::ranges::sort(planes);
