@@ -6,7 +6,7 @@
  *
  * section spread  In each slice the points' distances from the slice's middle, scaled so that an ellipse becomes a
  *                 circle, are averaged by direction; the value is the standard deviation of these means over their
- * mean. Averages keep noise out, slices keep bends and tapers out. A circle has 0, a hexagon 0.05, a square 0.11, a
+ * mean. Averages keep noise out, slices keep bends and tapers out. A circle has 0, a pentagon 0.06, a square 0.1, a
  * triangle 0.2. Of a board it is the outline that counts; of a block the roundest of its axes. taper           root of
  * the mean squared distance from the middle of the slice, near both ends: smaller over larger. bend            how far
  * the middles of the slices leave their best straight line, over the length. Of a board only across its thickness: an

@@ -80,7 +80,7 @@ const std::array<Measure, 36> measures = {{
      }},
     {"wall", "1", "thickness of the material, half of it at least, over the shortest length of the box", false,
      Effort::on_demand, wall_thickness},
-    {"section spread", "1", "how far the outline of a cross-section is from an ellipse: 0 is round, a square 0.11",
+    {"section spread", "1", "how far the outline of a cross-section is from an ellipse: 0 is round, a square 0.1",
      false, Effort::on_demand, section_spread},
     {"taper", "1", "size of the smaller end's cross-section over that of the larger end", false, Effort::on_demand,
      end_ratio},

@@ -5,7 +5,7 @@
  * same way the nearest counts, by its plane's distance, or by its own beyond the usual spacing of points. The mean over
  * the size of the box is the difference; 0 is perfect symmetry. Planes are tried every 7.5 degrees, and the three
  * best are turned to and fro in ever smaller steps. Noise of 0.5 % alone makes about 0.002. O(points²) with 1,500
- * points: some 20 ms a region, when a question asks for it. */
+ * points: 0.4 ms a region where a plane along its box will do, else up to 20 ms, when a question asks for it. */
 
 #include <Eigen/Geometry>
 #include <algorithm>

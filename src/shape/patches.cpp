@@ -8,7 +8,7 @@
 // do not turn cylinders into tori.
 //
 // A patch is seen through at most 160 points, so a fit costs the same for any number of triangles. Cost: O(n log n) to
-// grow leaves, then some ten fits a leaf, of 40 microseconds each.
+// grow leaves, then some ten fits a leaf.
 
 #include "shape/patches.h"
 
