@@ -5,36 +5,92 @@
 
 #include "algorithms/relations.h"
 #include "app/commands.h"
+#include "base/json_text.h"
 
 namespace partonomy::app {
 
 namespace {
 
 const char* word_of(Signature signature) {
-    return signature == Signature::find_all ? "SF" : signature == Signature::is_a ? "SI" : "T";
+    switch (signature) {
+        case Signature::find_all:
+            return "SF";
+        case Signature::is_a:
+            return "SI";
+        case Signature::related:
+            return "T";
+        default:
+            return "TF";
+    }
 }
 
+const char* word_of(Origin origin) { return origin == Origin::own ? "own" : "derived"; }
+
+void print_text(const Catalogue& catalogue) {
+    fmt::print("{:<9} {:<18} {:>5}  {:<7}  {}\n", "signature", "concept", "cost", "origin", "how");
+    for (const ElementaryAlgorithm& algorithm : catalogue.algorithms)
+        fmt::print("{:<9} {:<18} {:>5}  {:<7}  {}{}\n", word_of(algorithm.signature), algorithm.name, algorithm.cost,
+                   word_of(algorithm.origin), algorithm.method, algorithm.needs_metres ? " (needs a unit)" : "");
+    fmt::print("\n{:<16} {:<8} {}\n", "measure", "unit", "what it is");
+    for (const Measure& measure : all_measures())
+        fmt::print("{:<16} {:<8} {}\n", measure.name, measure.unit, measure.description);
+    fmt::print("\n{:<18} {:<8} {:<8} {}\n", "between regions", "regions", "unit", "what it is");
+    for (const RelationMeasure& measure : all_relation_measures())
+        fmt::print("{:<18} {:<8} {:<8} {}\n", measure.name, measure.arity, measure.unit, measure.description);
+}
+
+void print_json(const Catalogue& catalogue) {
+    JsonText json(2);
+    json.object().array("algorithms");
+    for (const ElementaryAlgorithm& algorithm : catalogue.algorithms)
+        json.object_in_line()
+            .member("signature", word_of(algorithm.signature))
+            .member("concept", algorithm.name)
+            .member("method", algorithm.method)
+            .member("cost", algorithm.cost)
+            .member("origin", word_of(algorithm.origin))
+            .member("needs_unit", algorithm.needs_metres)
+            .end();
+    json.end().array("measures");
+    for (const Measure& measure : all_measures())
+        json.object_in_line()
+            .member("name", measure.name)
+            .member("unit", measure.unit)
+            .member("description", measure.description)
+            .end();
+    json.end().array("relation_measures");
+    for (const RelationMeasure& measure : all_relation_measures())
+        json.object_in_line()
+            .member("name", measure.name)
+            .member("regions", measure.arity)
+            .member("unit", measure.unit)
+            .member("description", measure.description)
+            .end();
+    json.end().end();
+    fmt::print("{}\n", json.text());
+}
 }  // namespace
 
 void add_catalogue_command(CLI::App& app, Run& run) {
-    auto ontology = std::make_shared<OntologyArguments>();
+    struct Arguments {
+        OntologyArguments ontology;
+        bool json = false;
+    };
+    auto arguments = std::make_shared<Arguments>();
     CLI::App& command =
         *app.add_subcommand("catalogue", "every elementary algorithm, its signature and cost; every measure");
-    ontology->add_to(command, true);
-    command.callback([ontology, &run] {
-        run = [ontology] {
-            const knowledge::Domain domain = ontology->load();
-            fmt::print("{:<9} {:<18} {:>5}  {:<7}  {}\n", "signature", "concept", "cost", "origin", "how");
-            for (const ElementaryAlgorithm& algorithm : make_catalogue(domain).algorithms)
-                fmt::print("{:<9} {:<18} {:>5}  {:<7}  {}{}\n", word_of(algorithm.signature), algorithm.name,
-                           algorithm.cost, algorithm.origin == Origin::own ? "own" : "derived", algorithm.method,
-                           algorithm.needs_metres ? " (needs a unit)" : "");
-            fmt::print("\n{:<16} {:<8} {}\n", "measure", "unit", "what it is");
-            for (const Measure& measure : all_measures())
-                fmt::print("{:<16} {:<8} {}\n", measure.name, measure.unit, measure.description);
-            fmt::print("\n{:<18} {:<8} {:<8} {}\n", "between regions", "regions", "unit", "what it is");
-            for (const RelationMeasure& measure : all_relation_measures())
-                fmt::print("{:<18} {:<8} {:<8} {}\n", measure.name, measure.arity, measure.unit, measure.description);
+    arguments->ontology.add_to(command, true);
+    command.get_option("ONTOLOGY")->required(false)->description("the ontology; the built-in core without it");
+    command.add_flag("--json", arguments->json, "print JSON");
+    command.callback([arguments, &run] {
+        run = [arguments] {
+            arguments->ontology.load_plugins();
+            const Catalogue catalogue =
+                arguments->ontology.path.empty() ? make_core_catalogue() : make_catalogue(arguments->ontology.load());
+            if (arguments->json)
+                print_json(catalogue);
+            else
+                print_text(catalogue);
             return static_cast<int>(recognised);
         };
     });

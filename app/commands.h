@@ -31,10 +31,12 @@ void add_catalogue_command(CLI::App& app, Run& run);
 /// --ontology, --import-dir and the limits of configuration spaces, as several commands take them.
 struct OntologyArguments {
     std::string path;
-    std::vector<std::string> import_folders;
+    std::vector<std::string> import_folders, plugins;
     knowledge::DiagramOptions limits;
     std::size_t diagram_mb = limits.memory_limit >> 20;
     void add_to(CLI::App& command, bool positional);
+    /// Adds the measures of the plugins; read() does so first. Repeating it does nothing.
+    void load_plugins() const;
     [[nodiscard]] owl::Ontology read(bool whole_core = true) const;
     [[nodiscard]] knowledge::CompileOptions compile_options() const;
     /// What the ontology means; of core only what it speaks of.

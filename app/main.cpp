@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "algorithms/plugins.h"
 #include "app/commands.h"
 #include "base/errors.h"
 #include "base/spelling.h"
@@ -19,6 +20,7 @@ void OntologyArguments::add_to(CLI::App& command, bool positional) {
     command.add_option(positional ? "ONTOLOGY" : "--ontology,-O", path, "the ontology, in any syntax of OWL 2")
         ->required();
     command.add_option("--import-dir", import_folders, "folder to search for imported ontologies (repeatable)");
+    command.add_option("--plugin", plugins, "shared library with one more measurement (repeatable)");
     command.add_option("--diagram-nodes", limits.node_limit, "nodes that a diagram of configurations may have")
         ->capture_default_str();
     command.add_option("--diagram-seconds", limits.seconds_limit, "time that making a diagram may take")
@@ -26,7 +28,12 @@ void OntologyArguments::add_to(CLI::App& command, bool positional) {
     command.add_option("--diagram-mb", diagram_mb, "memory that a diagram may take")->capture_default_str();
 }
 
+void OntologyArguments::load_plugins() const {
+    for (const std::string& plugin : plugins) load_plugin(plugin);
+}
+
 owl::Ontology OntologyArguments::read(bool whole_core) const {
+    load_plugins();
     owl::LoadOptions options;
     options.whole_core = whole_core;
     options.import_folders.assign(import_folders.begin(), import_folders.end());
@@ -116,6 +123,8 @@ int main(int argc, char** argv) {
     try {
         app.parse(argc, argv);
         const int code = run();
+        for (const std::string& trouble : partonomy::plugin_troubles())
+            std::fprintf(stderr, "partonomy: %s\n", trouble.c_str());
         // Everything is written: the system takes the memory back faster than the libraries' destructors give it back.
         std::fflush(nullptr);
         std::_Exit(code);

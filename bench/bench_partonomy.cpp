@@ -17,6 +17,7 @@
 #include "base/files.h"
 #include "bench/bench_hermit.h"
 #include "bench/bench_knowledge.h"
+#include "bench/bench_relations.h"
 #include "bench/bench_scale.h"
 #include "bench/embree_reference.h"
 #include "examples/objects.h"
@@ -137,6 +138,10 @@ int main(int count, char** arguments) {
     using namespace partonomy;
     if (count > 1 && std::string(arguments[1]) == "scale") {
         bench::bench_scale();
+        return 0;
+    }
+    if (count > 1 && std::string(arguments[1]) == "relations") {
+        bench::print_relations(2000);
         return 0;
     }
     namespace fs = std::filesystem;

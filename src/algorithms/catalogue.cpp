@@ -20,6 +20,8 @@
 #include "base/errors.h"
 #include "base/spelling.h"
 #include "knowledge/relations.h"
+#include "knowledge/theory.h"
+#include "owl/make_class.h"
 #include "shape/membership.h"
 
 namespace partonomy {
@@ -226,11 +228,43 @@ Catalogue make_catalogue(const Domain& domain) {
         }
         catalogue.algorithms.push_back(
             {Signature::related, {v, 0}, to_manchester(*variable.part_class), method, cost, false});
+        catalogue.algorithms.push_back({Signature::find_related,
+                                        {v, 0},
+                                        catalogue.algorithms.back().name,
+                                        "through an index of boxes: " + method,
+                                        cost * find_related_cost,
+                                        false});
     }
     catalogue.has_own_find_all = std::ranges::any_of(catalogue.algorithms, [](const ElementaryAlgorithm& algorithm) {
         return algorithm.signature == Signature::find_all && !algorithm.grain;
     });
     return catalogue;
+}
+
+Catalogue make_core_catalogue() {
+    Domain domain;
+    domain.ontology = owl::parse_ontology(owl::core_ontology_text(), "core.ttl");
+    domain.ranges = knowledge::find_ranges(domain.ontology);
+    domain.relations = knowledge::find_relations(domain.ontology);
+    for (std::size_t r = 0; r < domain.ranges.size(); ++r) {
+        Variable variable{VariableKind::range, domain.ranges[r].iri, {}, static_cast<int>(r), nullptr};
+        for (const knowledge::ElementaryConcept& value : domain.ranges[r].values)
+            variable.values.push_back(owl::local_name(value.iri));
+        domain.regions.variables.push_back(std::move(variable));
+    }
+    for (std::size_t r = 0; r < domain.relations.size(); ++r) {  // one statement about each: that there is a node
+        knowledge::RelationalFeature feature;
+        feature.test.kind = knowledge::NodeTest::Kind::relation;
+        feature.test.relations.assign(domain.relations.size(), 0);
+        feature.test.relations[r] = 1;
+        domain.relational.push_back(std::move(feature));
+        domain.regions.variables.push_back({VariableKind::relation,
+                                            {},
+                                            {"yes", "no"},
+                                            static_cast<int>(r),
+                                            owl::named_class(domain.relations[r].iri)});
+    }
+    return make_catalogue(domain);
 }
 
 std::optional<double> is_a(const Domain& domain, const Catalogue& catalogue, Question question, const Object& object,

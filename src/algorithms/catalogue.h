@@ -11,12 +11,16 @@
 
 namespace partonomy {
 
-/// The signatures of elementary algorithms (paper §3.4.1) that exist so far.
+/// The signatures of elementary algorithms (paper §3.4.1).
 enum class Signature {
-    find_all,  ///< SF: all regions that are C, inside a region
-    is_a,      ///< SI: is a region a C
-    related,   ///< T: are these regions in a relation
+    find_all,      ///< SF: all regions that are C, inside a region
+    is_a,          ///< SI: is a region a C
+    related,       ///< T: are these regions in a relation
+    find_related,  ///< TF: all regions that are in a relation to these
 };
+
+/// What one TF costs, over one T of the same relation.
+inline constexpr double find_related_cost = 4;
 
 /// Where an algorithm comes from: it was made for its question, or out of another algorithm (paper §3.4.2).
 enum class Origin { own, derived };
@@ -36,8 +40,8 @@ struct ElementaryAlgorithm {
 };
 
 /// All elementary algorithms for a domain: an `is a` for every elementary concept with criteria and every number that
-/// axioms mention, a `find all` for the box shapes and for colours and derived ones for other concepts, a T for every
-/// statement about relations all of which have criteria.
+/// axioms mention, a `find all` for the box shapes and for colours and derived ones for other concepts, a T and a TF for
+/// every statement about relations all of which have criteria.
 struct Catalogue {
     std::vector<ElementaryAlgorithm> algorithms;
     [[nodiscard]] const ElementaryAlgorithm* find(Signature signature, knowledge::Question question) const;
@@ -51,6 +55,10 @@ struct Catalogue {
 /// Throws OntologyError when core:measure or core:criterion names a measure that does not exist (with the nearest right
 /// name), combines measures that do not go together, or names one of another number of regions than the relation's.
 [[nodiscard]] Catalogue make_catalogue(const knowledge::Domain& domain);
+
+/// The algorithms for all elementary concepts and relations of the built-in core ontology, whether or not a domain uses
+/// them.
+[[nodiscard]] Catalogue make_core_catalogue();
 
 /// Score in [0, 1] of "the region is what the question says": >= 0.5 means yes. nullopt when nothing can tell: no
 /// algorithm, or no unit. (SI of paper §6.3: the lowest of the concept's trapezoids.)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -20,17 +21,20 @@ enum class AppearanceNeed { none, colors, finish };
 
 /// A measurement that core:measure may name.
 struct Measure {
-    const char* name;
-    const char* unit;  ///< "1", "degrees", "m", "m2"
-    const char* description;
+    std::string name;
+    std::string unit;  ///< "1", "degrees", "m", "m2"
+    std::string description;
     bool needs_metres;
     Effort effort;
     /// Lengths in metres when needs_metres, in file units as long as the unit is unknown; NaN when nothing can tell.
-    double (*value)(const Object&, const RegionMeasurements&);
+    std::function<double(const Object&, const RegionMeasurements&)> value;
 };
 
 /// All measures, in the order in which the catalogue prints them.
 [[nodiscard]] std::span<const Measure> all_measures();
+
+/// Puts a measure of a new name at the end, as plugins do; before any ontology is compiled.
+void add_measure(Measure measure);
 
 /// nullptr when there is none of that name.
 [[nodiscard]] const Measure* find_measure(const std::string& name);

@@ -181,7 +181,9 @@ void add_likeness_measures(std::vector<RelationMeasure>& measures) {
     add("shape difference", "1",
         "largest change of a ratio of sides, or of how the surface is spread along them; logarithm", shape_difference,
         shape_range);
+    measures.back().by_size = true;
     add("size difference", "1", "largest change of a side of the smallest box; logarithm", size_difference, size_range);
+    measures.back().by_size = true;
 }
 
 }  // namespace partonomy

@@ -63,6 +63,8 @@ void enclose(Surround& one, const Surround& other) {
 
 std::span<const RelationMeasure> all_relation_measures() { return registry(); }
 
+void add_relation_measure(RelationMeasure measure) { registry().push_back(std::move(measure)); }
+
 const RelationMeasure* find_relation_measure(const std::string& name) {
     for (const RelationMeasure& measure : registry())
         if (name == measure.name) return &measure;
@@ -74,6 +76,13 @@ bool may_be_related(std::span<const knowledge::Criterion> criteria, const Scene&
     return std::ranges::none_of(criteria, [&](const knowledge::Criterion& c) {
         const RelationMeasure* measure = find_relation_measure(c.measure);
         return measure && measure->range && is_zero_on(c, measure->range(scene, surrounds));
+    });
+}
+
+bool looks_at_sizes_only(std::span<const knowledge::Criterion> criteria) {
+    return std::ranges::none_of(criteria, [](const knowledge::Criterion& c) {
+        const RelationMeasure* measure = find_relation_measure(c.measure);
+        return measure && measure->range && !measure->by_size;
     });
 }
 

@@ -36,8 +36,11 @@ struct RelationMeasure {
     /// Between which numbers `value` lies for all regions within these surrounds, however roughly; so that most tuples
     /// need not be measured. Empty: anywhere.
     std::function<Interval(const Scene&, std::span<const Surround* const>)> range = nullptr;
+    bool by_size = false;  ///< the range looks at the sizes of regions, not at where they lie
 };
 [[nodiscard]] std::span<const RelationMeasure> all_relation_measures();
+/// Puts a measure of a new name at the end, as plugins do; before any ontology is compiled.
+void add_relation_measure(RelationMeasure measure);
 [[nodiscard]] const RelationMeasure* find_relation_measure(const std::string& name);
 
 /// T: score in [0, 1] of "these regions are in the relation", the lowest of its trapezoids; >= 0.5 means yes. nullopt
@@ -48,6 +51,9 @@ struct RelationMeasure {
 /// Whether regions within these surrounds may have a score above 0.
 [[nodiscard]] bool may_be_related(std::span<const knowledge::Criterion> criteria, const Scene& scene,
                                   std::span<const Surround* const> surrounds);
+
+/// Whether the boxes of regions tell nothing of their relation.
+[[nodiscard]] bool looks_at_sizes_only(std::span<const knowledge::Criterion> criteria);
 
 /// The trapezoid of "they touch", for an ontology that does not say it itself (core:Connected).
 [[nodiscard]] const knowledge::Criterion& touching();

@@ -206,12 +206,15 @@ void Session::find_connections() {
     for (const knowledge::Relation& relation : domain_.relations)
         if (relation.iri == connected_iri && !relation.criteria.empty()) criteria = relation.criteria;
     double lowest = 1;
-    for (std::size_t i = 0; i < regions.size(); ++i)
-        for (std::size_t j = i + 1; j < regions.size(); ++j) {
-            const double score =
-                relation_score(criteria, scene(), std::array{&place(regions[i]), &place(regions[j])}).value_or(0);
+    std::vector<const RegionPlace*> places;
+    for (const int region : regions) places.push_back(&place(region));
+    const RelatedIndex among(scene(), places);
+    for (int i = 0; i < static_cast<int>(regions.size()); ++i)
+        for (const auto& [j, found] : among.find(criteria, {i, -1})) {
+            const double score = found.value_or(0);
+            if (j < i) continue;
             lowest = std::min(lowest, std::max(score, 1 - score));
-            if (score >= 0.5) connected_->emplace_back(regions[i], regions[j]);
+            if (score >= 0.5) connected_->emplace_back(regions[index(i)], regions[index(j)]);
         }
     TraceEntry entry;
     entry.kind = "TF";
@@ -278,7 +281,86 @@ std::optional<double> Session::relate(const knowledge::RelationTuple& tuple) {
     return score;
 }
 
+void Session::find_related(const knowledge::RelationTuple& line) {
+    const Stopwatch watch;
+    if (!index_ || indexed_ != region_count()) {
+        std::vector<const RegionPlace*> places;
+        for (int region = 0; region < region_count(); ++region) places.push_back(&place(region));
+        index_.emplace(scene(), std::move(places));
+        indexed_ = region_count();
+    }
+    const knowledge::Relation& relation = domain_.relations[line.relation];
+    const auto open = static_cast<std::size_t>(std::ranges::find(line.regions, -1) - line.regions.begin());
+    std::map<int, std::optional<double>> scores;
+    for (const RelatedIndex::Related& each : index_->find(relation.criteria, line.regions))
+        scores[each.region] = each.score;
+    double lowest = 1;
+    int yes = 0;
+    for (int region = 0; region < region_count(); ++region) {
+        if (std::ranges::find(line.regions, region) != line.regions.end()) continue;
+        knowledge::RelationTuple tuple = line;
+        tuple.regions[open] = region;
+        std::sort(tuple.regions.begin() + 1, tuple.regions.end());
+        const auto found = scores.find(region);
+        const std::optional<double> score = found == scores.end() ? 0 : found->second;
+        related_.try_emplace(std::move(tuple), score);
+        if (!score) continue;
+        lowest = std::min(lowest, std::max(*score, 1 - *score));
+        yes += *score >= 0.5;
+    }
+    ++find_related_count;
+    const auto words = [&](int region) { return region < 0 ? std::string("which parts") : region_name(region); };
+    std::string references;
+    for (std::size_t i = 1; i < line.regions.size(); ++i) references += (i > 1 ? " and " : "") + words(line.regions[i]);
+    TraceEntry entry;
+    entry.kind = "TF";
+    entry.region = region_name(line.regions[open == 0 ? 1 : 0]);
+    entry.question =
+        fmt::format("{}: {} {}", words(line.regions[0]),
+                    relation.question.empty() ? owl::local_name(relation.iri) : relation.question, references);
+    entry.answer = fmt::format("{} region{}", yes, yes == 1 ? "" : "s");
+    entry.score = lowest;
+    entry.ms = watch.ms();
+    trace.push_back(std::move(entry));
+}
+
+void Session::relate_many(int region, Question question) {
+    const knowledge::Variable& variable = domain_.regions.variables[index(question.variable)];
+    const knowledge::RelationalFeature& feature = domain_.relational[index(variable.index)];
+    std::map<std::size_t, std::vector<knowledge::RelationTuple>> unknown;  // by relation
+    for (auto& [truth, node] : nodes_in_question(domain_, feature, region, possible_))
+        if (!related_.contains(node) && !domain_.relations[node.relation].criteria.empty())
+            unknown[node.relation].push_back(std::move(node));
+    const ConfigurationSet yes = yes_set(domain_.regions, question);
+    const auto is_open = [&](int other) {  // what a name may hang on
+        const ConfigurationSet& set = possible(other);
+        return set.intersects(yes) && !set.is_subset_of(yes) && std::ranges::any_of(wanted_, [&](ConceptId c) {
+                   const knowledge::Concept& each = domain_.regions.concepts[static_cast<std::size_t>(c)];
+                   return each.relational && set.intersects(each.where) && !set.is_subset_of(each.where);
+               });
+    };
+    for (const auto& [relation, nodes] : unknown) {
+        if (static_cast<double>(nodes.size()) * region_count() <= find_related_cost) continue;  // T is cheaper anyway
+        int asking = 0;
+        for (int other = 0; other < region_count(); ++other) asking += other == region || is_open(other);
+        const auto count = static_cast<double>(nodes.size());
+        const double along = domain_.relations[relation].arity == 2 ? find_related_cost : count + 1;
+        const double across = count * find_related_cost / std::max(asking, 1);
+        if (count <= std::min(along, across)) continue;
+        if (along <= across) {
+            find_related({relation, feature.of_target ? std::vector{region, -1} : std::vector{-1, region}});
+            continue;
+        }
+        for (const knowledge::RelationTuple& node : nodes) {
+            knowledge::RelationTuple line = node;
+            *std::ranges::find(line.regions, region) = -1;
+            find_related(line);
+        }
+    }
+}
+
 std::optional<bool> Session::ask_relation(int region, Question question) {
+    relate_many(region, question);
     const auto index =
         static_cast<std::size_t>(domain_.regions.variables[static_cast<std::size_t>(question.variable)].index);
     const knowledge::RelationAnswer answer =

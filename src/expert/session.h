@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "algorithms/catalogue.h"
-#include "algorithms/relations.h"
+#include "algorithms/related_index.h"
 #include "expert/annotation.h"
 #include "knowledge/explain.h"
 #include "knowledge/relations.h"
@@ -94,6 +94,10 @@ private:
     std::optional<bool> ask_relation(int region, knowledge::Question question);
     /// T, counted and traced; what was asked before is not asked again.
     std::optional<double> relate(const knowledge::RelationTuple& tuple);
+    /// TF where it costs less than the T's that the question would take one by one.
+    void relate_many(int region, knowledge::Question question);
+    /// TF, counted and traced: scores of all tuples that have some region in the place of the one -1.
+    void find_related(const knowledge::RelationTuple& line);
     const Scene& scene();
     const RegionPlace& place(int region);
     void read_off(int region, int variable);
@@ -120,6 +124,8 @@ private:
     std::optional<std::vector<std::pair<int, int>>> connected_;
     std::optional<Scene> scene_;
     std::map<int, RegionPlace> places_;  ///< of regions that relations were asked of; they point to parts_
+    std::optional<RelatedIndex> index_;  ///< of all regions that were there when it was made
+    int indexed_ = 0;                    ///< how many
     std::map<knowledge::RelationTuple, std::optional<double>> related_;
 };
 

@@ -96,14 +96,21 @@ Truth passes(const RelationalFeature& feature, const RelationTuple& node,
     });
 }
 
-RelationAnswer answer_relation(const Domain& domain, const RelationalFeature& feature, int region,
-                               const std::vector<ConfigurationSet>& regions, bool complete,
-                               const std::function<std::optional<double>(const RelationTuple&)>& score) {
+std::vector<std::pair<Truth, RelationTuple>> nodes_in_question(const Domain& domain, const RelationalFeature& feature,
+                                                               int region,
+                                                               const std::vector<ConfigurationSet>& regions) {
     std::vector<std::pair<Truth, RelationTuple>> nodes;
     for (RelationTuple& node : nodes_of(domain, feature, region, static_cast<int>(regions.size())))
         if (const Truth truth = passes(feature, node, regions); truth != Truth::no)
             nodes.emplace_back(truth, std::move(node));
     std::ranges::stable_sort(nodes, std::greater<>{}, &std::pair<Truth, RelationTuple>::first);
+    return nodes;
+}
+
+RelationAnswer answer_relation(const Domain& domain, const RelationalFeature& feature, int region,
+                               const std::vector<ConfigurationSet>& regions, bool complete,
+                               const std::function<std::optional<double>(const RelationTuple&)>& score) {
+    const auto nodes = nodes_in_question(domain, feature, region, regions);
     std::vector<double> proving;
     double excluded = 1;
     std::size_t open = 0;

@@ -31,6 +31,10 @@ struct RelationAnswer {
     double score = 1;
 };
 
+/// Nodes that the region may be in, in its role, and that may pass the test; those that surely pass come first.
+[[nodiscard]] std::vector<std::pair<Truth, RelationTuple>> nodes_in_question(
+    const Domain& domain, const RelationalFeature& feature, int region, const std::vector<ConfigurationSet>& regions);
+
 /// Looks for nodes among the regions that are there. `score` is T: the score of "these regions are in the relation" (>=
 /// 0.5: there is such a node), nullopt when nothing can tell; it is asked as little as possible, nodes that surely pass
 /// the test first. Unless `complete`, other regions may turn up, and no answer is no. Open when it hangs on what

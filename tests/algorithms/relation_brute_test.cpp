@@ -368,7 +368,7 @@ const std::vector<knowledge::Relation>& relations() {
 
 TEST(RelationBrute, MeasuresOfAllTuples) {
     std::map<std::string, int> compared;
-    for (unsigned seed = 1; seed <= 8; ++seed) {
+    for (unsigned seed = 1; seed <= 5; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         std::mt19937 random(seed);
         const RandomScene scene(random, 7);
@@ -393,7 +393,7 @@ TEST(RelationBrute, MeasuresOfAllTuples) {
 /// T is the lowest trapezoid of all its measures, whatever it left out.
 TEST(RelationBrute, ShortcutsChangeNothing) {
     int related = 0;
-    for (unsigned seed = 21; seed <= 32; ++seed) {
+    for (unsigned seed = 21; seed <= 24; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         std::mt19937 random(seed);
         const RandomScene scene(random, 9);
@@ -410,12 +410,12 @@ TEST(RelationBrute, ShortcutsChangeNothing) {
                 related += lowest >= 0.5;
             }
     }
-    EXPECT_GT(related, 1000);
+    EXPECT_GT(related, 300);
 }
 
 /// A group's range holds the values of all its members.
 TEST(RelationBrute, RangesOfGroupsHoldTheirValues) {
-    for (unsigned seed = 41; seed <= 44; ++seed) {
+    for (unsigned seed = 41; seed <= 42; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         std::mt19937 random(seed);
         const RandomScene scene(random, 10);

@@ -1,19 +1,25 @@
 /* Every relation of core.ttl on regions of which the truth is known by construction: some that are in it, some that are
  * not, and some on the border, turned about up, moved, scaled, and with noise of 0.5 % of the diagonal. */
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <map>
 #include <set>
 
+#include "algorithms/measures.h"
 #include "algorithms/solids.h"
+#include "base/files.h"
 #include "knowledge/theory.h"
+#include "shape/membership.h"
 
 namespace partonomy {
 namespace {
 
 using solids::block;
 using solids::Stage;
+
+const std::string core_support = std::string(owl::core_prefix) + "Support";
 
 const knowledge::Relation& relation(const std::string& name) {
     static const std::vector<knowledge::Relation> all =
@@ -216,6 +222,50 @@ TEST(RelationCases, NoiseDoesNotTurnThemRound) {
             ASSERT_TRUE(found);
             EXPECT_EQ(*found >= 0.5, each.truth == Truth::yes) << *found;
         }
+    }
+}
+
+/// Not a relation between regions, since the ground is none.
+TEST(RelationCases, OnTheGround) {
+    constexpr unsigned seed = 13;
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    const auto ranges = knowledge::find_ranges(owl::parse_ontology(owl::core_ontology_text(), "core.ttl"));
+    const auto support = std::ranges::find(ranges, core_support, &knowledge::RangeConcept::iri);
+    ASSERT_NE(support, ranges.end());
+    for (const auto& [height, expected] : {std::pair(0.0, 1.0), {0.015, 1.0}, {0.03, 0.5}, {0.1, 0.0}, {0.5, 0.0}})
+        for (const double noise : {0.0, 0.0, 0.005}) {
+            if (noise > 0 && expected == 0.5) continue;
+            Stage stage({block({0.1, 0.1, height}, {0.3, 0.3, height + 0.2}), block({0.5, 0.5, 0}, {0.6, 0.6, 1})}, 6);
+            stage.move(solids::random_motion(random, noise), random);
+            stage.finish();
+            stage.object.low = stage.scene.low.z();
+            stage.object.high = stage.scene.high.z();
+            const RegionMeasurements region = measure_region(stage.object, stage.parts[0]);
+            for (const knowledge::ElementaryConcept& value : support->values) {
+                const knowledge::Criterion& c = value.criteria.at(0);
+                const double score =
+                    Trapezoid{c.a1, c.a2, c.a3, c.a4}(*evaluate(*find_measure(c.measure), stage.object, region));
+                EXPECT_NEAR(score, value.iri.ends_with("OnGround") ? expected : 1 - expected, noise > 0 ? 0.49 : 0.02)
+                    << height << " " << noise;
+            }
+        }
+}
+
+/// docs/relations.md has a row for each relation, with its regions, cost and criteria.
+TEST(RelationCases, TheDocumentListsThem) {
+    const std::string text = read_file(PARTONOMY_SOURCE_DIR "/docs/relations.md");
+    std::size_t rows = 0;
+    for (std::size_t at = text.find("\n| `"); at != std::string::npos; at = text.find("\n| `", at + 1)) ++rows;
+    const std::vector<knowledge::Relation> all =
+        knowledge::find_relations(owl::parse_ontology(owl::core_ontology_text(), "core.ttl"));
+    EXPECT_EQ(rows, all.size());
+    for (const knowledge::Relation& each : all) {
+        std::string row = fmt::format("| `{}` | {} | {} | ", owl::local_name(each.iri), each.arity, *each.cost);
+        for (const knowledge::Criterion& c : each.criteria)
+            row +=
+                fmt::format("{}`{} {} {} {} {}`", row.ends_with("| ") ? "" : ", ", c.measure, c.a1, c.a2, c.a3, c.a4);
+        EXPECT_NE(text.find(row + " | "), std::string::npos) << row;
     }
 }
 

@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "app/run_program.h"
 #include "base/files.h"
@@ -178,6 +180,32 @@ TEST(Catalogue, ListsAlgorithmsAndMeasures) {
     EXPECT_EQ(result.exit_code, 0);
     for (const char* text : {"SF", "SI", "Board", "M43", "inclination", "needs a unit"})
         EXPECT_NE(result.out.find(text), std::string::npos) << text;
+}
+
+/// Without an ontology: all that the built-in core has.
+TEST(Catalogue, OfTheBuiltInCoreAndAsJson) {
+    const TemporaryFolder folder;
+    const ProgramResult text = run_partonomy({"catalogue"}, folder.path());
+    EXPECT_EQ(text.exit_code, 0) << text.err;
+    const ProgramResult result = run_partonomy({"catalogue", "--json"}, folder.path());
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    const auto json = nlohmann::json::parse(result.out);
+    std::map<std::string, std::set<std::string>> concepts;  // by signature
+    for (const auto& algorithm : json.at("algorithms")) {
+        const std::string name = algorithm.at("concept");
+        concepts[algorithm.at("signature")].insert(name);
+        EXPECT_GT(algorithm.at("cost"), 0) << name;
+        EXPECT_FALSE(algorithm.at("method").get<std::string>().empty()) << name;
+        EXPECT_TRUE(algorithm.at("origin") == "own" || algorithm.at("origin") == "derived") << name;
+        EXPECT_TRUE(algorithm.at("needs_unit").is_boolean()) << name;
+        EXPECT_NE(text.out.find(name), std::string::npos) << name;
+    }
+    for (const char* name : {"Board", "Vertical", "M43"}) EXPECT_TRUE(concepts["SI"].contains(name)) << name;
+    for (const char* name : {"UpFrom", "Between", "SameSize"}) EXPECT_TRUE(concepts["T"].contains(name)) << name;
+    EXPECT_EQ(concepts["T"], concepts["TF"]);
+    EXPECT_TRUE(concepts["SF"].contains("Board"));
+    EXPECT_GE(json.at("relation_measures").size(), 20U);
+    EXPECT_GE(json.at("measures").size(), 16U);
 }
 
 TEST(Explain, OnePartOrAll) {

@@ -21,7 +21,7 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-/// An ontology on top of furniture.ttl, in Manchester syntax: frames after the prologue.
+/// An ontology on top of paper-furniture.ttl, in Manchester syntax: frames after the prologue.
 struct OnFurniture {
     knowledge::Domain domain;
     Catalogue catalogue;
@@ -32,10 +32,10 @@ struct OnFurniture {
         std::filesystem::create_directories(folder);
         const std::filesystem::path file = folder / "o.omn";
         std::ofstream(file) << "Prefix: : <http://example.org/r#>\n"
-                               "Prefix: f: <https://w3id.org/partonomy/furniture#>\n"
+                               "Prefix: f: <https://w3id.org/partonomy/paper-furniture#>\n"
                                "Prefix: core: <https://w3id.org/partonomy/core#>\n"
                                "Ontology: <http://example.org/r>\n"
-                               "Import: <https://w3id.org/partonomy/furniture>\n"
+                               "Import: <https://w3id.org/partonomy/paper-furniture>\n"
                             << frames;
         owl::LoadOptions options;
         options.import_folders.emplace_back(PARTONOMY_SOURCE_DIR "/ontologies");
@@ -167,7 +167,7 @@ TEST(Relations, WithoutAlgorithmTheyStayOpen) {
         "(inverse (core:isReferenceRegion) some f:Leg)))\n"
         "Class: :TwinChair EquivalentTo: f:Chair and (core:hasPart some :TwinLeg)\n");
     ASSERT_EQ(ontology.domain.warnings.size(), 1U);
-    EXPECT_NE(ontology.domain.warnings[0].find("Mirrors"), std::string::npos);
+    EXPECT_NE(ontology.domain.warnings[0].find("Mirrors"), std::string::npos) << ontology.domain.warnings[0];
     const Annotation annotation = ontology.annotate(paper_object("chair").mesh);
     EXPECT_EQ(annotation.classes, Names{"Chair"});
     EXPECT_EQ(annotation.questions.at("T"), 0);
@@ -187,6 +187,31 @@ TEST(Relations, AMeasureOfAnotherNumberOfRegionsIsRefused) {
     }
 }
 
+TEST(Relations, BadKnobsAreRefusedWithFileAndLine) {
+    const std::string use =
+        " SubClassOf: core:Relation\nClass: :OddLeg EquivalentTo: f:Leg and (core:isTargetRegion some :Odd)\n"
+        "Class: :OddChair EquivalentTo: f:Chair and (core:hasPart some :OddLeg)\n";
+    const std::vector<std::pair<std::string, std::string>> faults{
+        {"core:criterion \"side stepp -inf -inf 0.1 0.3\"",
+         "o.omn:6: Odd: there is no measure \"side stepp\"; did you mean \"side step\"?"},
+        {"core:measure \"gap\", core:membership \"0.3 0.1 inf inf\"",
+         "o.omn:6: membership \"0.3 0.1 inf inf\" of Odd has its numbers out of order; they should ascend"},
+        {"core:measure \"gap\", core:membership \"0.1 0.3\"", "of Odd should be four numbers"},
+        {"core:arity 4, core:criterion \"gap -inf -inf 0.1 0.3\"",
+         "o.omn:6: arity \"4\" of Odd should be 2 or 3: the number of regions that it links"},
+        {"core:arity 3, core:criterion \"gap -inf -inf 0.1 0.3\"",
+         "o.omn:6: Odd links 3 regions (core:arity, 2 without it), but \"gap\" measures 2; change one of them"}};
+    for (const auto& [knobs, words] : faults) {
+        SCOPED_TRACE(knobs);
+        try {
+            const OnFurniture ontology("Class: :Odd Annotations: " + knobs + use);
+            ADD_FAILURE() << "accepted";
+        } catch (const OntologyError& error) {
+            EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+        }
+    }
+}
+
 TEST(Relations, EachWaitsForTheOther) {
     const OnFurniture ontology(  // a seat below a backrest that is above a seat: nothing proves either
         "Class: :A EquivalentTo: f:Seat and (core:isReferenceRegion some (core:UpFrom and (inverse "
@@ -198,6 +223,62 @@ TEST(Relations, EachWaitsForTheOther) {
     const Annotation annotation = ontology.annotate(paper_object("chair").mesh);
     EXPECT_EQ(annotation.classes, Names{"Chair"});
     EXPECT_GT(annotation.questions.at("T"), 0);
+}
+
+/// A seat on four legs with knobs on it and beside it.
+TriangleMesh knobbed_stool(int on, int beside) {
+    Solid solid;
+    add_box(solid, "Seat", {0, 0, 0.40}, {0.8, 0.8, 0.44});
+    for (const double x : {0.0, 0.76})
+        for (const double y : {0.0, 0.76}) add_box(solid, "Leg", {x, y, 0}, {x + 0.04, y + 0.04, 0.40});
+    for (int i = 0; i < on; ++i) {
+        const double x = 0.05 + 0.2 * (i % 4), y = 0.05 + 0.2 * (i / 4);
+        add_box(solid, "Knob", {x, y, 0.45}, {x + 0.06, y + 0.06, 0.51});
+    }
+    for (int i = 0; i < beside; ++i) {
+        const double y = 0.15 * i;
+        add_box(solid, "Foot", {1.6, y, 0.45}, {1.66, y + 0.06, 0.51});
+    }
+    return std::move(solid).finish("stool", "Stool").mesh;
+}
+
+TEST(Relations, OneFindAllInsteadOfManyQuestions) {
+    const OnFurniture ontology(
+        "Class: :Knob EquivalentTo: core:Region and (core:hasShape some core:Cube) and (core:isTargetRegion some "
+        "(core:UpFrom and (inverse (core:isReferenceRegion) some f:Seat)))\n"
+        "Class: :KnobbedStool EquivalentTo: f:Furniture and (core:hasPart min 4 :Knob)\n");
+    const Annotation many = ontology.annotate(knobbed_stool(12, 3));
+    EXPECT_EQ(count(many, "Seat"), 1);
+    EXPECT_EQ(count(many, "Knob"), 12);
+    EXPECT_EQ(many.questions.at("TF"), 1);  // who is above the seat
+    EXPECT_EQ(many.questions.at("T"), 0);
+    EXPECT_EQ(traced(many, "TF"), 1);
+    EXPECT_TRUE(std::ranges::any_of(many.trace, [](const TraceEntry& entry) {
+        return entry.kind == "TF" && entry.question.find("which parts: is it above part") == 0 &&
+               entry.answer == "12 regions";
+    }));
+    const Annotation few = ontology.annotate(knobbed_stool(2, 0));
+    EXPECT_EQ(count(few, "Knob"), 2);
+    EXPECT_EQ(few.questions.at("TF"), 0);
+    EXPECT_EQ(few.questions.at("T"), 2);
+}
+
+TEST(Relations, WhatWasAskedIsNotAskedAgain) {
+    const char* const knob =
+        "Class: :Knob EquivalentTo: core:Region and (core:hasShape some core:Cube) and (core:isTargetRegion some "
+        "(core:UpFrom and (inverse (core:isReferenceRegion) some f:Seat)))\n"
+        "Class: :KnobbedStool EquivalentTo: f:Furniture and (core:hasPart min 4 :Knob)\n";
+    const OnFurniture once(knob);
+    const OnFurniture twice(std::string(knob) +  // another name that hangs on the same relation
+                            "Class: :Lump EquivalentTo: core:Region and (core:hasCompactness some core:Compact) and "
+                            "(core:isTargetRegion some (core:UpFrom and (inverse (core:isReferenceRegion) some "
+                            "(f:Seat and (core:hasShape some core:Board)))))\n"
+                            "Class: :LumpyStool EquivalentTo: f:Furniture and (core:hasPart some :Lump)\n");
+    const TriangleMesh mesh = knobbed_stool(12, 3);
+    const Annotation first = once.annotate(mesh), second = twice.annotate(mesh);
+    EXPECT_EQ(count(second, "Lump"), 12);
+    EXPECT_EQ(first.questions.at("TF"), second.questions.at("TF"));
+    EXPECT_EQ(first.questions.at("T"), second.questions.at("T"));
 }
 
 TEST(Relations, MeasuresOfBoxes) {
