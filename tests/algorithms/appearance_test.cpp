@@ -129,7 +129,7 @@ struct Whole {
         parts.push_back(part);
         region = measure_region(object, parts.front());
     }
-    [[nodiscard]] std::optional<double> value(const char* name) const {
+    [[nodiscard]] std::optional<double> value(const std::string& name) const {
         return evaluate(*find_measure(name), object, region);
     }
 

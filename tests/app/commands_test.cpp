@@ -189,9 +189,9 @@ TEST(Catalogue, OfTheBuiltInCoreAndAsJson) {
     EXPECT_EQ(text.exit_code, 0) << text.err;
     const ProgramResult result = run_partonomy({"catalogue", "--json"}, folder.path());
     ASSERT_EQ(result.exit_code, 0) << result.err;
-    const auto json = nlohmann::json::parse(result.out);
+    const auto listed = nlohmann::json::parse(result.out);
     std::map<std::string, std::set<std::string>> concepts;  // by signature
-    for (const auto& algorithm : json.at("algorithms")) {
+    for (const auto& algorithm : listed.at("algorithms")) {
         const std::string name = algorithm.at("concept");
         concepts[algorithm.at("signature")].insert(name);
         EXPECT_GT(algorithm.at("cost"), 0) << name;
@@ -204,8 +204,8 @@ TEST(Catalogue, OfTheBuiltInCoreAndAsJson) {
     for (const char* name : {"UpFrom", "Between", "SameSize"}) EXPECT_TRUE(concepts["T"].contains(name)) << name;
     EXPECT_EQ(concepts["T"], concepts["TF"]);
     EXPECT_TRUE(concepts["SF"].contains("Board"));
-    EXPECT_GE(json.at("relation_measures").size(), 20U);
-    EXPECT_GE(json.at("measures").size(), 16U);
+    EXPECT_GE(listed.at("relation_measures").size(), 20U);
+    EXPECT_GE(listed.at("measures").size(), 16U);
 }
 
 TEST(Explain, OnePartOrAll) {
