@@ -89,7 +89,7 @@ TEST(Relations, AboveASeatAndTouchingThreeLegs) {
 TEST(Relations, NothingIsAskedWhereNoNameHangsOnThem) {
     const OnFurniture ontology("Class: :X EquivalentTo: f:Chair and (core:hasPart min 2 f:Backrest)\n");
     const Annotation with = ontology.annotate(paper_object("chair").mesh);
-    const Annotation without = Furniture::get().annotate(paper_object("chair").mesh);
+    const Annotation without = OnFurniture("").annotate(paper_object("chair").mesh);
     EXPECT_EQ(with.questions, without.questions);
     EXPECT_EQ(with.questions.at("T"), 0);
 }
@@ -228,11 +228,11 @@ TEST(Relations, EachWaitsForTheOther) {
 /// A seat on four legs with knobs on it and beside it.
 TriangleMesh knobbed_stool(int on, int beside) {
     Solid solid;
-    add_box(solid, "Seat", {0, 0, 0.40}, {0.8, 0.8, 0.44});
-    for (const double x : {0.0, 0.76})
-        for (const double y : {0.0, 0.76}) add_box(solid, "Leg", {x, y, 0}, {x + 0.04, y + 0.04, 0.40});
+    add_box(solid, "Seat", {0, 0, 0.40}, {0.5, 0.5, 0.44});
+    for (const double x : {0.0, 0.46})
+        for (const double y : {0.0, 0.46}) add_box(solid, "Leg", {x, y, 0}, {x + 0.04, y + 0.04, 0.40});
     for (int i = 0; i < on; ++i) {
-        const double x = 0.05 + 0.2 * (i % 4), y = 0.05 + 0.2 * (i / 4);
+        const double x = 0.04 + 0.12 * (i % 4), y = 0.04 + 0.12 * (i / 4);
         add_box(solid, "Knob", {x, y, 0.45}, {x + 0.06, y + 0.06, 0.51});
     }
     for (int i = 0; i < beside; ++i) {
