@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <functional>
 #include <future>
 #include <map>
 #include <memory>
@@ -108,7 +109,9 @@ struct Input {
     std::string up, unit;  ///< as words
 };
 
-Input read_input(const Arguments& arguments, const std::string& mesh_path) {
+/// `is_scene` may wait for the ontology: large meshes do, while a small one is cut at once and, should it be a scene, again.
+Input read_input(const Arguments& arguments, const std::string& mesh_path, const std::function<bool()>& is_scene) {
+    constexpr std::size_t cut_at_once = 20'000;  // triangles
     Stopwatch watch;
     LoadedMesh loaded = read_mesh(mesh_path);
     const double read_ms = watch.lap();
@@ -116,7 +119,8 @@ Input read_input(const Arguments& arguments, const std::string& mesh_path) {
     const std::string unit = loaded.is_gltf && !arguments.unit_is_told ? "m" : arguments.unit;
     const Vec3 up = up_word == "auto" ? resting_up(loaded.mesh) : parse_up(up_word);
     const Placement placement{up, parse_unit(unit)};
-    return {make_object(std::move(loaded.mesh), placement, arguments.threads),
+    const bool waits = loaded.mesh.triangles.size() > cut_at_once;
+    return {make_object(std::move(loaded.mesh), placement, arguments.threads, waits && is_scene()),
             std::move(loaded.report),
             std::move(loaded.sha256),
             read_ms,
@@ -152,6 +156,10 @@ void tell_about_objects(const knowledge::Domain& domain) {
 Annotation annotate_file(const Arguments& arguments, const Knowhow& knowhow, Input& input, const std::string& mesh_path,
                          const fs::path& folder, const Progress& progress) {
     Stopwatch watch;
+    if (knowhow.domain.is_about_scenes && !input.object.is_scene) {
+        input.object.is_scene = true;
+        cut(input.object, arguments.threads);
+    }
     std::optional<Placing> placing;
     if (needs_appearance(knowhow.catalogue)) {
         progress.show(fmt::format("{}: looking", mesh_path));
@@ -224,17 +232,19 @@ int run_annotate(const Arguments& arguments) {
     const Progress progress(arguments.quiet);
     // Cutting a mesh needs no ontology: with a thread to spare, the ontology is read while the first mesh is cut.
     progress.show("reading " + arguments.ontology.path + " and " + arguments.meshes.front());
-    std::future<Knowhow> loading = std::async(arguments.threads == 1 ? std::launch::deferred : std::launch::async,
-                                              [&] { return load(arguments.ontology); });
+    const std::shared_future<Knowhow> loading =
+        std::async(arguments.threads == 1 ? std::launch::deferred : std::launch::async,
+                   [&] { return load(arguments.ontology); });
+    const auto is_scene = [&loading] { return loading.get().domain.is_about_scenes; };
     if (arguments.threads == 1) loading.wait();
     std::optional<Input> first;
     std::exception_ptr first_error;
     try {
-        first = read_input(arguments, arguments.meshes.front());
+        first = read_input(arguments, arguments.meshes.front(), is_scene);
     } catch (const Error&) {
         first_error = std::current_exception();  // told in its turn, after what is wrong with the ontology
     }
-    const Knowhow knowhow = loading.get();
+    const Knowhow& knowhow = loading.get();
     progress.show("");
     if (!arguments.quiet)
         for (const std::string& warning : knowhow.domain.warnings) fmt::print(stderr, "partonomy: note: {}\n", warning);
@@ -246,7 +256,7 @@ int run_annotate(const Arguments& arguments) {
             const std::string& mesh = arguments.meshes[i];
             progress.show(fmt::format("{}: reading", mesh));
             if (i == 0 && first_error) std::rethrow_exception(first_error);
-            Input input = i == 0 ? *std::exchange(first, std::nullopt) : read_input(arguments, mesh);
+            Input input = i == 0 ? *std::exchange(first, std::nullopt) : read_input(arguments, mesh, is_scene);
             const Annotation annotation = annotate_file(arguments, knowhow, input, mesh, folders[i], progress);
             progress.show("");
             if (!arguments.quiet) {

@@ -90,8 +90,9 @@ std::optional<double> parse_unit(const std::string& word) {
     return found->second;
 }
 
-Object make_object(TriangleMesh mesh, const Placement& placement, int threads) {
+Object make_object(TriangleMesh mesh, const Placement& placement, int threads, bool is_scene) {
     Object object;
+    object.is_scene = is_scene;
     object.mesh = std::move(mesh);
     object.geometry = compute_geometry(object.mesh);
     object.placement = placement;
@@ -110,7 +111,8 @@ void place(Object& object, const Placement& placement) {
 }
 
 void cut(Object& object, int threads) {
-    object.candidates = find_parts(object.mesh, {object.placement.up, threads, object.tree}, &object.times);
+    object.candidates = find_parts(
+        object.mesh, {object.placement.up, threads, object.tree, object.is_scene}, &object.times);
     if (object.appearance) split_by_color(object);
 }
 

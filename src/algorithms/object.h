@@ -52,6 +52,7 @@ struct Object {
     Placement placement;
     double low = 0, high = 0;             ///< extent along up, in file units
     double footprint = 0;                 ///< area of its shadow on the ground, without notches; squared file units
+    bool is_scene = false;                ///< cut as a scene (FindPartsOptions), as knowledge::Domain says
     std::vector<PartRegion> candidates;   ///< box-like regions of find_parts: what every `find all` chooses from
     StageTimes times;                     ///< of finding them
     std::shared_ptr<const RayTree> tree;  ///< of the mesh
@@ -59,14 +60,15 @@ struct Object {
     std::shared_ptr<const Appearance> appearance;     ///< null: no colours, or nothing asks for them; see paint
 };
 
-/// Measures the mesh and cuts it into candidate regions. Needs no ontology. threads <= 0: all cores.
-[[nodiscard]] Object make_object(TriangleMesh mesh, const Placement& placement, int threads = 1);
+/// Measures the mesh and cuts it into candidate regions. Needs no ontology but for whether it is about scenes.
+/// threads <= 0: all cores.
+[[nodiscard]] Object make_object(TriangleMesh mesh, const Placement& placement, int threads = 1, bool is_scene = false);
 
 /// Stands the object with another side up, or measures it in another unit; its regions stay as they were cut.
 void place(Object& object, const Placement& placement);
 
-/// Cuts the object into candidate regions again, after it was placed otherwise. Up matters in the corners of flush
-/// boards.
+/// Cuts the object into candidate regions again, after it was placed otherwise, or was found to be a scene. Up matters
+/// in the corners of flush boards.
 void cut(Object& object, int threads = 1);
 
 /// What is above and below a region, seen from points spread evenly over its upper side.

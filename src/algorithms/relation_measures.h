@@ -11,5 +11,6 @@ namespace partonomy {
 void add_place_measures(std::vector<RelationMeasure>& measures);     ///< above, beside, in front, between, in a row …
 void add_contact_measures(std::vector<RelationMeasure>& measures);   ///< gap, contact, inside, around
 void add_likeness_measures(std::vector<RelationMeasure>& measures);  ///< angles, planes, mirror images, shape, size
+void add_plan_measures(std::vector<RelationMeasure>& measures);      ///< in metres: what stands on what, how far apart
 
 }  // namespace partonomy

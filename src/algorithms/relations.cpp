@@ -2,7 +2,7 @@
  *
  * Each relation is a set of measurements and trapezoids in the ontology, as for `is a`; the lowest score counts. The
  * measurements are in relation_place.cpp, relation_contact.cpp and relation_likeness.cpp; lengths are fractions of the
- * object's height or diagonal, so that no unit is needed.
+ * object's height or diagonal, so that no unit is needed. Those of relation_plan.cpp are in metres.
  *
  * A measurement may cost a look at every triangle of both regions. Most tuples are decided before that: each measure
  * tells from boxes and sizes between which numbers its value must lie, and where the trapezoid is 0 on all of them, the
@@ -29,6 +29,7 @@ std::vector<RelationMeasure> built_in_measures() {
     add_contact_measures(measures);
     add_place_measures(measures);
     add_likeness_measures(measures);
+    add_plan_measures(measures);
     return measures;
 }
 

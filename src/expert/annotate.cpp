@@ -34,17 +34,30 @@ struct Naming {
     double certainty = 1;       ///< fraction of the configurations in which an assumed name holds
 };
 
+/// The value of core:`name` at a concept; empty when it has none.
+std::string annotation_of(const Domain& domain, const Iri& iri, const char* name) {
+    const auto found = domain.ontology.annotations.find(iri);
+    if (found == domain.ontology.annotations.end()) return {};
+    for (const owl::Annotation& annotation : found->second)
+        if (annotation.property == std::string(owl::core_prefix) + name) return annotation.literal.value;
+    return {};
+}
+
+/// Whether a concept only serves to define others.
+bool is_helper(const Domain& domain, const Iri& iri) { return annotation_of(domain, iri, "helper") == "true"; }
+
 Naming name_region(const Session& session, const ConfigurationSet& possible) {
     const Space& space = session.domain().regions;
     Naming naming;
     for (const ConceptId c : session.wanted())
-        if (const auto& concept_ = space.concepts[static_cast<std::size_t>(c)]; possible.is_subset_of(concept_.where))
+        if (const auto& concept_ = space.concepts[static_cast<std::size_t>(c)];
+            possible.is_subset_of(concept_.where) && !is_helper(session.domain(), concept_.iri))
             naming.concepts.push_back(concept_.iri);
     if (!naming.concepts.empty() || possible.is_empty()) return naming;
     double most = 0;
     for (const ConceptId c : session.wanted()) {
         const auto& concept_ = space.concepts[static_cast<std::size_t>(c)];
-        if (concept_.incompatible) continue;
+        if (concept_.incompatible || is_helper(session.domain(), concept_.iri)) continue;
         if (const double share = possible.share(concept_.where); share > most) {
             most = share;
             naming.concepts = {concept_.iri};
@@ -68,20 +81,14 @@ std::vector<Iri> specific_first(const Domain& domain, const std::vector<Iri>& ir
     return sorted;
 }
 
-/// The value of core:`name` at a concept; empty when it has none.
-std::string annotation_of(const Domain& domain, const Iri& iri, const char* name) {
-    const auto found = domain.ontology.annotations.find(iri);
-    if (found == domain.ontology.annotations.end()) return {};
-    for (const owl::Annotation& annotation : found->second)
-        if (annotation.property == std::string(owl::core_prefix) + name) return annotation.literal.value;
-    return {};
-}
-
 AnnotatedPart make_part(const Session& session, int region, const ConfigurationSet& possible, const Naming& naming) {
     const Domain& domain = session.domain();
     AnnotatedPart part;
     part.id = region + 1;
-    const std::vector<Iri> concepts = specific_first(domain, naming.concepts);
+    std::vector<Iri> concepts = specific_first(domain, naming.concepts);
+    std::ranges::stable_partition(concepts, [&](const Iri& iri) {  // a part is called by what it is, then by what is wrong
+        return !domain.regions.concepts[static_cast<std::size_t>(*domain.regions.find(iri))].incompatible;
+    });
     part.concepts = local_names(concepts);
     part.triangles = session.part(region).region.triangles;
     part.score = session.part(region).fit * session.shape_score(region) * naming.certainty;
@@ -282,8 +289,7 @@ Annotation annotate(const Domain& domain, const Catalogue& catalogue, const Obje
     std::vector<Iri> classes;
     for (const ConceptId c : entailed(*assumed.objects, assumed.object)) {
         const Iri& iri = assumed.objects->concepts[static_cast<std::size_t>(c)].iri;
-        if (!iri.starts_with(owl::core_prefix) && annotation_of(domain, iri, "helper") != "true")
-            classes.push_back(iri);
+        if (!iri.starts_with(owl::core_prefix) && !is_helper(domain, iri)) classes.push_back(iri);
     }
     annotation.all_classes = local_names(classes);
     annotation.classes = local_names(domain.most_specific(classes));

@@ -257,6 +257,7 @@ Domain compile(owl::Ontology ontology, const CompileOptions& options) {
     domain.ranges = theory.ranges;
     domain.numbers = theory.numbers;
     domain.typical_heights = find_typical_heights(ontology);
+    domain.is_about_scenes = is_about_scenes(ontology);
     domain.warnings = theory.warnings;
     domain.relations = theory.relations;
     domain.relational = theory.relational;

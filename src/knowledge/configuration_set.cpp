@@ -132,8 +132,14 @@ bool ConfigurationSet::is_subset_of(const ConfigurationSet& other) const {
 
 bool ConfigurationSet::intersects(const ConfigurationSet& other) const {
     if (conjunction_) {
-        if (other.literals().size() == 1) return conjunction_->is_possible(other.literals()[0]);
-        return !(*this & other).is_empty();
+        // What this set's own shares tell is known for all later questions; a sweep for both sets together is not.
+        std::size_t open = 0;
+        for (const int literal : other.literals()) {
+            if (!conjunction_->is_possible(literal)) return false;
+            open += !conjunction_->is_inferred(literal);
+        }
+        if (open == 0) return !is_empty();
+        return open == 1 || !(*this & other).is_empty();
     }
     for (std::size_t i = 0; i < words_.size(); ++i)
         if ((words_[i] & other.words_[i]) != 0) return true;

@@ -184,6 +184,7 @@ struct Domain {
     /// Named concepts that no configuration satisfies.
     [[nodiscard]] std::vector<Iri> unsatisfiable() const;
     std::vector<TypicalHeight> typical_heights;  ///< by IRI
+    bool is_about_scenes = false;                ///< core:isScene: meshes are cut as scenes (FindPartsOptions)
     std::vector<std::string> warnings;  ///< what a user should know of regions and composite parts: no algorithm …
     /// The same of objects; lists them.
     [[nodiscard]] std::vector<std::string> object_warnings() const;

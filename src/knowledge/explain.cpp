@@ -207,6 +207,29 @@ bool prefers_solver(const Domain& domain) {
     return domain.regions.diagram != nullptr && can_express(domain.grounding->theory);
 }
 
+/// Whether a concept of one region is asked about in a compiled space: what is known of the other regions says nothing
+/// then, and the solver is asked even where objects are more than it can express.
+bool is_about_one_region(const Domain& domain, const Iri& concept_iri, int region) {
+    return region >= 0 && domain.regions.diagram != nullptr && domain.regions.find(concept_iri).has_value();
+}
+
+/// What is known of one region, as if it were the only one.
+struct Excerpt {
+    Excerpt(const Knowledge& all, int region) : knowledge{1, all.complete, {}, {}} {
+        for (std::size_t i = 0; i < all.answers.size(); ++i)
+            if (all.answers[i].region == region) {
+                knowledge.answers.push_back({0, all.answers[i].question, all.answers[i].yes});
+                places.push_back(i);
+            }
+    }
+    [[nodiscard]] std::vector<std::size_t> in_all(std::vector<std::size_t> answers) const {
+        for (std::size_t& i : answers) i = places[i];
+        return answers;
+    }
+    Knowledge knowledge;
+    std::vector<std::size_t> places;  ///< of its answers
+};
+
 }  // namespace
 
 std::vector<char> defining_axioms(const Theory& theory, int goal, std::size_t axiom_count) {
@@ -223,6 +246,12 @@ std::vector<char> defining_axioms(const Theory& theory, int goal, std::size_t ax
 Explanation explain(const Domain& domain, const Knowledge& knowledge, const Iri& concept_iri, int region_asked) {
     if (needs_mesh_world(domain, knowledge))
         return MeshReasoner(domain, knowledge).explain(concept_iri, region_asked);
+    if (is_about_one_region(domain, concept_iri, region_asked)) {
+        const Excerpt excerpt(knowledge, region_asked);
+        Explanation explanation = one_reason(domain, excerpt.knowledge, concept_iri, 0);
+        explanation.answers = excerpt.in_all(std::move(explanation.answers));
+        return explanation;
+    }
     if (prefers_solver(domain)) return one_reason(domain, knowledge, concept_iri, region_asked);
     const Conclusions conclusions = conclude(domain, knowledge);
     const Theory& theory = domain.grounding->theory;
@@ -333,7 +362,17 @@ std::vector<Correction> corrections(const Domain& domain, const Knowledge& knowl
         throw std::invalid_argument("corrections: a cost should not be negative");
     if (needs_mesh_world(domain, knowledge))
         return MeshReasoner(domain, knowledge).correct(concept_iri, costs, region, options);
+    if (is_about_one_region(domain, concept_iri, region)) {
+        const Excerpt excerpt(knowledge, region);
+        std::vector<double> its_costs;
+        for (const std::size_t i : excerpt.places) its_costs.push_back(costs[i]);
+        std::vector<Correction> found =
+            cheapest_changes(domain, excerpt.knowledge, concept_iri, its_costs, 0, options);
+        for (Correction& each : found) each.answers = excerpt.in_all(std::move(each.answers));
+        return found;
+    }
     if (prefers_solver(domain)) return cheapest_changes(domain, knowledge, concept_iri, costs, region, options);
+    if (domain.regions.diagram != nullptr) return {};  // sets of a compiled space cannot be tried one by one
     CorrectionSearch search(domain, knowledge, concept_iri, costs, region);
     std::vector<Correction> found = search.run(options.limit);
     if (found.empty() && search.is_cut_short() && can_express(domain.grounding->theory))

@@ -367,6 +367,15 @@ std::vector<TypicalHeight> find_typical_heights(const owl::Ontology& ontology) {
     return heights;
 }
 
+bool is_about_scenes(const owl::Ontology& ontology) {
+    const Iri property = core_term("isScene");
+    return std::ranges::any_of(ontology.annotations, [&](const auto& entry) {
+        return std::ranges::any_of(entry.second, [&](const owl::Annotation& annotation) {
+            return annotation.property == property && annotation.literal.value == "true";
+        });
+    });
+}
+
 std::vector<MeasuredProperty> find_numbers(const owl::Ontology& ontology, std::set<Iri>& no_numbers) {
     std::map<Iri, std::set<Cut>> cuts;
     std::set<Iri> of_others;  // with a domain that is about anything but regions

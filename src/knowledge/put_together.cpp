@@ -1,8 +1,8 @@
 #include <algorithm>
-#include <bit>
 #include <map>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 #include "knowledge/assembly.h"
 
@@ -17,7 +17,7 @@
 namespace partonomy::knowledge {
 namespace {
 
-using Regions = std::uint64_t;  ///< a set of the regions of one connected set
+using Regions = std::vector<int>;  ///< some regions of one connected set, by their places in it; ascending
 
 constexpr std::size_t most_ways = 1U << 16;
 
@@ -110,14 +110,14 @@ class Cluster {
 public:
     Cluster(const Theory& theory, const Assembly& assembly, const Contributions& all, std::vector<int> regions,
             const std::vector<std::pair<int, int>>& connected)
-        : theory_(theory), assembly_(assembly), all_(all), regions_(std::move(regions)), touching_(regions_.size(), 0) {
+        : theory_(theory), assembly_(assembly), all_(all), regions_(std::move(regions)), touching_(regions_.size()) {
         for (const auto& [a, b] : connected) {
             const auto i = std::ranges::find(regions_, a) - regions_.begin();
             const auto j = std::ranges::find(regions_, b) - regions_.begin();
             if (static_cast<std::size_t>(i) == regions_.size() || static_cast<std::size_t>(j) == regions_.size())
                 continue;
-            touching_[static_cast<std::size_t>(i)] |= Regions{1} << j;
-            touching_[static_cast<std::size_t>(j)] |= Regions{1} << i;
+            touching_[static_cast<std::size_t>(i)].push_back(static_cast<int>(j));
+            touching_[static_cast<std::size_t>(j)].push_back(static_cast<int>(i));
         }
     }
 
@@ -140,8 +140,7 @@ public:
         for (const auto& [key, found] : found_) {
             if (found.ways != ways_) continue;
             CompositePart part{static_cast<int>(key.first), {}, found.possible};
-            for (std::size_t i = 0; i < regions_.size(); ++i)
-                if ((key.second >> i & 1) != 0) part.regions.push_back(regions_[i]);
+            for (const int i : key.second) part.regions.push_back(regions_[static_cast<std::size_t>(i)]);
             parts.push_back(std::move(part));
         }
         return parts;
@@ -158,23 +157,21 @@ private:
     void begin_group(std::size_t group) {
         while (group < assembly_.composites.size() && !assembly_.composites[group].is_used) ++group;
         if (group == assembly_.composites.size()) return finish();
-        Regions members = 0;
-        for (std::size_t i = 0; i < regions_.size(); ++i)
-            if (all_.in_group[choice_[i]][group] != 0) members |= Regions{1} << i;
+        std::vector<char> is_waiting(regions_.size(), 0);
+        for (std::size_t i = 0; i < regions_.size(); ++i) is_waiting[i] = all_.in_group[choice_[i]][group];
         for (const Item& item : items_)
-            if (all_.composite_in_group[item.group][item.cell][group] != 0) members |= item.regions;
+            if (all_.composite_in_group[item.group][item.cell][group] != 0)
+                for (const int i : item.regions) is_waiting[static_cast<std::size_t>(i)] = 1;
         std::vector<Regions> parts;
-        while (members != 0) {
-            Regions part = members & (~members + 1);
-            for (Regions frontier = part; frontier != 0;) {
-                const auto i = static_cast<std::size_t>(std::countr_zero(frontier));
-                frontier &= frontier - 1;
-                const Regions fresh = touching_[i] & members & ~part;
-                part |= fresh;
-                frontier |= fresh;
-            }
-            parts.push_back(part);
-            members &= ~part;
+        for (std::size_t first = 0; first < regions_.size(); ++first) {
+            if (is_waiting[first] == 0) continue;
+            is_waiting[first] = 0;
+            Regions part{static_cast<int>(first)};
+            for (std::size_t at = 0; at < part.size(); ++at)
+                for (const int j : touching_[static_cast<std::size_t>(part[at])])
+                    if (std::exchange(is_waiting[static_cast<std::size_t>(j)], 0) != 0) part.push_back(j);
+            std::ranges::sort(part);
+            parts.push_back(std::move(part));
         }
         add_parts(group, parts, 0);
     }
@@ -184,11 +181,12 @@ private:
         if (next == parts.size()) return begin_group(group + 1);
         const CompositeLayer& composite = assembly_.composites[group];
         Counts counts = 0;
-        for (std::size_t i = 0; i < regions_.size(); ++i)
-            if ((parts[next] >> i & 1) != 0) counts = composite.parts.sum(counts, all_.to_group[choice_[i]][group]);
+        for (const int i : parts[next])
+            counts = composite.parts.sum(counts, all_.to_group[choice_[static_cast<std::size_t>(i)]][group]);
         const std::vector<int>& inner = theory_.groups[group].inner;
         for (const Item& item : items_)
-            if ((item.regions & ~parts[next]) == 0 && std::ranges::binary_search(inner, static_cast<int>(item.group)))
+            if (std::ranges::includes(parts[next], item.regions) &&
+                std::ranges::binary_search(inner, static_cast<int>(item.group)))
                 counts = composite.parts.sum(counts, all_.composite_to_group[item.group][item.cell][group]);
         if (!std::ranges::binary_search(composite.objects.counts, counts))
             throw std::logic_error("put_together: a composite part that nothing foresaw");
@@ -223,7 +221,7 @@ private:
     const Assembly& assembly_;
     const Contributions& all_;
     std::vector<int> regions_;
-    std::vector<Regions> touching_;
+    std::vector<Regions> touching_;  ///< by region
     std::vector<std::size_t> choice_;
     std::vector<Item> items_;
     std::set<Counts> counts_;
@@ -288,7 +286,6 @@ std::optional<Assembled> put_together(const Theory& theory, const Assembly& asse
             ways *= choices.back().size();
             if (ways > most_ways) return std::nullopt;
         }
-        if (set.size() > 64) return std::nullopt;
         Cluster cluster(theory, assembly, contributions, set, connected);
         cluster.try_all(choices);
         combine(cluster.counts());

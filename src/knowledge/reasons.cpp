@@ -194,8 +194,9 @@ std::vector<Correction> cheapest_changes(const Domain& domain, const Knowledge& 
     const Theory& theory = domain.grounding->theory;
     std::vector<int> unwanted;  // concepts of the object that must not hold
     if (goal.id >= 0 && goal.level == Level::object) unwanted.push_back(goal.id);
+    const bool with_object = can_express(theory);  // else the goal is about a region
     for (const Concept& each : known.objects->concepts)
-        if (each.incompatible && !is_in(*known.objects, known.object, each.iri))
+        if (with_object && each.incompatible && !is_in(*known.objects, known.object, each.iri))
             unwanted.push_back(theory.find(each.iri));
 
     ObjectClauses object(theory, false);
@@ -205,7 +206,7 @@ std::vector<Correction> cheapest_changes(const Domain& domain, const Knowledge& 
         if (!has_goal || !known.regions[r].is_empty()) parts[r] = object.add_region();
     if (!knowledge.complete) object.add_further_parts(parts_that_help(theory, unwanted));
     object.require_constraints(Level::region);
-    object.require_constraints(Level::object);
+    if (with_object) object.require_constraints(Level::object);
     if (has_goal && goal.level == Level::region)
         object.clauses.add({-object.region_concept(parts.at(goal.regions[0]), goal.id)});
     if (has_goal && goal.level == Level::object) object.clauses.add({-object.object_concept(goal.id)});

@@ -106,6 +106,8 @@ struct Theory {
 
 /// core:typicalHeight of every class that has one, sorted.
 [[nodiscard]] std::vector<TypicalHeight> find_typical_heights(const owl::Ontology& ontology);
+/// Whether a class says core:isScene "true".
+[[nodiscard]] bool is_about_scenes(const owl::Ontology& ontology);
 
 /// The part of the number line that a data range allows, as cuts; throws OntologyError for what is no range of numbers.
 /// `ends` is ascending and disjoint.

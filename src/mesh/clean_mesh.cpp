@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
+#include <optional>
 
 #include "base/errors.h"
 #include "mesh/edges.h"
@@ -50,15 +52,65 @@ void triangulate(const PolygonSoup& soup, const std::vector<std::int32_t>& merge
     }
 }
 
-/// Leaves the first of the triangles with the same three corners. Twins share their edges, so only triangles around an
-/// edge of more than two, or of two with the same third corner, are compared.
+using Twins = std::vector<std::pair<std::size_t, std::size_t>>;  ///< triangle, the one before it in the same place
+
+/// Takes those twins off the list that are where two solids touch: they face each other, and all around where they lie
+/// each solid goes on. The two sides of a sheet end together, and those of a surface that is there twice never end.
+void keep_contacts(const TriangleMesh& mesh, const EdgeTable& edges, Twins& twins) {
+    constexpr std::int32_t none = -1;
+    std::vector<std::int32_t> twin_of(mesh.triangles.size(), none);  // place in `twins`
+    std::vector<char> is_contact(twins.size(), 1), ends(twins.size(), 0);
+    for (std::size_t i = 0; i < twins.size(); ++i) {
+        const Triangle &a = mesh.triangles[twins[i].first], &b = mesh.triangles[twins[i].second];
+        const auto corner = static_cast<std::size_t>(std::find(b.begin(), b.end(), a[0]) - b.begin());
+        if (b[(corner + 1) % 3] == a[1]) is_contact[i] = 0;  // faces the same way
+        for (const std::size_t triangle : {twins[i].first, twins[i].second}) {
+            if (twin_of[triangle] != none) is_contact[i] = is_contact[static_cast<std::size_t>(twin_of[triangle])] = 0;
+            twin_of[triangle] = static_cast<std::int32_t>(i);
+        }
+    }
+    std::vector<std::size_t> patch(twins.size());
+    std::iota(patch.begin(), patch.end(), std::size_t{0});
+    const auto find = [&](std::size_t i) {
+        while (patch[i] != i) i = patch[i] = patch[patch[i]];
+        return i;
+    };
+    for (std::size_t e = 0; e < edges.size(); ++e) {
+        std::optional<std::size_t> first;
+        bool goes_on = false;
+        for (const std::int32_t h : edges[e]) {
+            const std::int32_t twin = twin_of[static_cast<std::size_t>(h / 3)];
+            goes_on |= twin == none;
+            if (twin == none) continue;
+            const std::size_t root = find(static_cast<std::size_t>(twin));
+            if (first)
+                patch[std::max(find(*first), root)] = std::min(find(*first), root);
+            else
+                first = root;
+        }
+        if (!first) continue;
+        if (edges[e].size() < 4 || edges[e].size() % 2 != 0) is_contact[*first] = 0;
+        if (goes_on) ends[*first] = 1;
+    }
+    for (std::size_t i = 0; i < twins.size(); ++i) {
+        if (!is_contact[i]) is_contact[find(i)] = 0;
+        if (ends[i]) ends[find(i)] = 1;
+    }
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < twins.size(); ++i)
+        if (!is_contact[find(i)] || !ends[find(i)]) twins[kept++] = twins[i];
+    twins.resize(kept);
+}
+
+/// Leaves the first of the triangles with the same three corners, but for two solids that touch. Twins share their
+/// edges, so only triangles around an edge of more than two, or of two with the same third corner, are compared.
 void drop_duplicates(TriangleMesh& mesh, const EdgeTable& edges, MeshReport& report) {
     const auto third = [&](std::int32_t h) {
         return mesh.triangles[static_cast<std::size_t>(h / 3)][static_cast<std::size_t>((h % 3 + 2) % 3)];
     };
     std::vector<bool> dropped(mesh.triangles.size(), false);
     std::vector<std::pair<std::int32_t, std::int32_t>> thirds;  // third corner, triangle
-    std::vector<std::pair<std::size_t, std::size_t>> twins;     // dropped triangle, the one before it in the same place
+    Twins twins;
     for (std::size_t e = 0; e < edges.size(); ++e) {
         const auto around = edges[e];
         if (around.size() < 2 || (around.size() == 2 && third(around[0]) != third(around[1]))) continue;
@@ -72,6 +124,10 @@ void drop_duplicates(TriangleMesh& mesh, const EdgeTable& edges, MeshReport& rep
                 dropped[twin] = true;
             }
     }
+    if (twins.empty()) return;
+    keep_contacts(mesh, edges, twins);
+    dropped.assign(dropped.size(), false);
+    for (const auto& [twin, first] : twins) dropped[twin] = true;
     report.duplicate_faces = std::count(dropped.begin(), dropped.end(), true);
     if (report.duplicate_faces == 0) return;
     std::sort(twins.begin(), twins.end());  // by dropped triangle: a twin of a twin comes later and finds its face settled

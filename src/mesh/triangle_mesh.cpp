@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "base/ranges.h"
 #include "mesh/edges.h"
@@ -13,7 +14,8 @@
 // Adjacency. An edge with two triangles links them. At an edge with more, the triangles are sorted by their angle
 // around the edge. A triangle that runs down the edge (from the larger vertex index to the smaller) has its inside at
 // growing angle, one that runs up has it at falling angle; so "down" opens a wedge of solid and the next "up" closes
-// it, and the two are matched like brackets on a circle. Two boxes that touch along an edge thus stay two solids. What
+// it, and the two are matched like brackets on a circle. Two boxes that touch along an edge thus stay two solids, also when
+// they touch side to side: of walls at the same angle, those that close a wedge come first. What
 // finds no partner, such as the third wall at a T-joint of sheets, is left open.
 
 namespace partonomy {
@@ -44,8 +46,19 @@ std::vector<Spoke> spokes_around(const TriangleMesh& mesh, std::span<const std::
         const Vec3 spoke = point(h, 2) - low;
         spokes.push_back({std::atan2(spoke.dot(y), spoke.dot(x)), h, runs_up(mesh.triangles, h)});
     }
-    std::sort(spokes.begin(), spokes.end(), [](const Spoke& a, const Spoke& b) {
+    const auto by_angle = [](const Spoke& a, const Spoke& b) {
         return a.angle != b.angle ? a.angle < b.angle : a.half_edge < b.half_edge;
+    };
+    std::sort(spokes.begin(), spokes.end(), by_angle);
+    // What lies side by side up to rounding gets one angle, and one solid ends before the next begins.
+    constexpr double same = 1e-6, turn = 2 * std::numbers::pi;
+    for (Spoke& spoke : spokes)
+        if (spoke.angle > spokes.front().angle + turn - same) spoke.angle -= turn;
+    std::sort(spokes.begin(), spokes.end(), by_angle);
+    for (std::size_t i = 1; i < spokes.size(); ++i)
+        if (spokes[i].angle < spokes[i - 1].angle + same) spokes[i].angle = spokes[i - 1].angle;
+    std::stable_sort(spokes.begin(), spokes.end(), [](const Spoke& a, const Spoke& b) {
+        return a.angle != b.angle ? a.angle < b.angle : a.up && !b.up;
     });
     return spokes;
 }

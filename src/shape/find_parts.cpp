@@ -24,7 +24,6 @@
 #include "shape/find_parts.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -33,7 +32,9 @@
 #include "mesh/parallel.h"
 #include "shape/calm.h"
 #include "shape/claims.h"
+#include "shape/collect_parts.h"
 #include "shape/cores.h"
+#include "shape/find_scene_parts.h"
 #include "shape/part_box.h"
 #include "shape/refine.h"
 #include "shape/surface.h"
@@ -41,20 +42,6 @@
 namespace partonomy {
 
 namespace {
-
-class Clock {
-public:
-    explicit Clock(StageTimes* times) : times_(times) {}
-    void done(const char* stage) {
-        const auto now = std::chrono::steady_clock::now();
-        if (times_) times_->emplace_back(stage, std::chrono::duration<double, std::milli>(now - start_).count());
-        start_ = now;
-    }
-
-private:
-    StageTimes* times_;
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 /// The part that holds most of each of the caller's triangles, or -1.
 std::vector<std::int32_t> vote(const Surface& s, const std::vector<std::int32_t>& part_of) {
@@ -153,8 +140,10 @@ void connect(const TriangleMesh& mesh, const Adjacency& adjacency, const Triangl
     }
 }
 
-std::vector<PartRegion> collect(const TriangleMesh& mesh, const TriangleGeometry& geometry,
-                                const std::vector<std::int32_t>& part_of, int threads) {
+}  // namespace
+
+std::vector<PartRegion> collect_parts(const TriangleMesh& mesh, const TriangleGeometry& geometry,
+                                      const std::vector<std::int32_t>& part_of, int threads) {
     std::vector<std::int32_t> number;  // parts by their lowest triangle
     std::vector<PartRegion> regions;
     for (std::size_t i = 0; i < part_of.size(); ++i) {
@@ -182,11 +171,10 @@ std::vector<PartRegion> collect(const TriangleMesh& mesh, const TriangleGeometry
     return regions;
 }
 
-}  // namespace
-
 std::vector<PartRegion> find_parts(const TriangleMesh& mesh, const FindPartsOptions& options, StageTimes* times) {
     if (mesh.triangles.empty()) return {};
-    Clock clock(times);
+    if (options.is_scene) return find_scene_parts(mesh, options, times);
+    StageClock clock(times);
     const double size = compute_bounds(mesh).diagonal();
     Refinement refinement;
     const double limit = refinement_length(mesh, size);
@@ -230,7 +218,7 @@ std::vector<PartRegion> find_parts(const TriangleMesh& mesh, const FindPartsOpti
     if (!is_refined) {
         connect(s.mesh, s.adjacency, s.geometry, parts.part_of);
         clock.done("vote");
-        std::vector<PartRegion> regions = collect(s.mesh, s.geometry, parts.part_of, options.threads);
+        std::vector<PartRegion> regions = collect_parts(s.mesh, s.geometry, parts.part_of, options.threads);
         clock.done("boxes");
         return regions;
     }
@@ -244,7 +232,7 @@ std::vector<PartRegion> find_parts(const TriangleMesh& mesh, const FindPartsOpti
     std::vector<std::int32_t> part_of = vote(s, parts.part_of);
     connect(measured, build_adjacency(mesh), geometry, part_of);
     clock.done("vote");
-    std::vector<PartRegion> regions = collect(measured, geometry, part_of, options.threads);
+    std::vector<PartRegion> regions = collect_parts(measured, geometry, part_of, options.threads);
     clock.done("boxes");
     return regions;
 }

@@ -23,6 +23,7 @@ struct FindPartsOptions {
     Vec3 up = Vec3::UnitZ();
     int threads = 1;
     std::shared_ptr<const RayTree> tree = nullptr;  ///< of the mesh, where there is one already
+    bool is_scene = false;  ///< many things that stand on or beside one another: each is cut for itself
 };
 
 /// What find_parts spends its time on, in milliseconds, in the order of work.
