@@ -32,6 +32,7 @@ namespace partonomy {
 namespace {
 
 constexpr double hardly_rough = 0.005;
+constexpr double rounding = 1e-7;  // of the longest side
 constexpr double hardly_farther = 0.02;
 constexpr double least_wall_share = 0.04;  // of the part's area: less facing one way is no wall
 constexpr std::size_t most_samples = 3000;
@@ -142,7 +143,8 @@ private:
         const double area = front.area + back.area;
         if (!(area > 0)) return false;
         const double variance = (front.area * front.variance() + back.area * back.variance()) / area;
-        return std::sqrt(variance) > hardly_rough * (outer.high[most] - outer.low[most]);
+        const Vec3 lengths = outer.high - outer.low;  // a sheet is no rougher than its rounding
+        return std::sqrt(variance) > std::max(hardly_rough * lengths[most], rounding * lengths.maxCoeff());
     }
 
     [[nodiscard]] Sides walls(const Eigen::Matrix3d& axes, const Sides& outer) {
@@ -200,7 +202,8 @@ private:
     }
 
     static OrientedBox make_box(const Eigen::Matrix3d& axes, const Sides& sides) {
-        const Vec3 lengths = (sides.high - sides.low).cwiseMax(0.0);
+        Vec3 lengths = (sides.high - sides.low).cwiseMax(0.0);
+        lengths = (lengths.array() < rounding * lengths.maxCoeff()).select(0.0, lengths);
         std::array<int, 3> order{0, 1, 2};
         std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return lengths[a] > lengths[b]; });
         OrientedBox box;
