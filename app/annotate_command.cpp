@@ -109,7 +109,8 @@ struct Input {
     std::string up, unit;  ///< as words
 };
 
-/// `is_scene` may wait for the ontology: large meshes do, while a small one is cut at once and, should it be a scene, again.
+/// `is_scene` may wait for the ontology: large meshes do, while a small one is cut at once and, should it be a scene,
+/// again.
 Input read_input(const Arguments& arguments, const std::string& mesh_path, const std::function<bool()>& is_scene) {
     constexpr std::size_t cut_at_once = 20'000;  // triangles
     Stopwatch watch;
@@ -232,9 +233,8 @@ int run_annotate(const Arguments& arguments) {
     const Progress progress(arguments.quiet);
     // Cutting a mesh needs no ontology: with a thread to spare, the ontology is read while the first mesh is cut.
     progress.show("reading " + arguments.ontology.path + " and " + arguments.meshes.front());
-    const std::shared_future<Knowhow> loading =
-        std::async(arguments.threads == 1 ? std::launch::deferred : std::launch::async,
-                   [&] { return load(arguments.ontology); });
+    const std::shared_future<Knowhow> loading = std::async(
+        arguments.threads == 1 ? std::launch::deferred : std::launch::async, [&] { return load(arguments.ontology); });
     const auto is_scene = [&loading] { return loading.get().domain.is_about_scenes; };
     if (arguments.threads == 1) loading.wait();
     std::optional<Input> first;

@@ -1,7 +1,7 @@
 // Scenes of boxes, cones and balls, each a closed surface with as many triangles as asked for.
 //
-// A union of boxes is made on the grid of all their sides, cut further where its lines are wider apart than `edge`: each
-// cell belongs to the last box that holds it, and the sides between a full and an empty cell are the surface. So a
+// A union of boxes is made on the grid of all their sides, cut further where its lines are wider apart than `edge`:
+// each cell belongs to the last box that holds it, and the sides between a full and an empty cell are the surface. So a
 // building may have its windows carved into it, or a bench its legs grown onto it, as one surface without a seam.
 
 #include "examples/blocks.h"
@@ -108,8 +108,7 @@ public:
                             Vec3 normal = Vec3::Zero();
                             normal[static_cast<int>(axis)] = forth ? 1 : -1;
                             const bool is_floor =
-                                outside >= 0 &&
-                                blocks_[static_cast<std::size_t>(outside)].facing.dot(normal) > 0.5;
+                                outside >= 0 && blocks_[static_cast<std::size_t>(outside)].facing.dot(normal) > 0.5;
                             visit(corners, blocks_[static_cast<std::size_t>(is_floor ? outside : inside)]);
                         }
                 }
@@ -173,8 +172,8 @@ struct Rings {
 };
 
 Rings rings_of(const Shape& shape, double edge) {
-    Rings result{{}, std::clamp<std::size_t>(steps(two_pi * shape.radius, edge), 8, 256), shape.low,
-                 shape.low + shape.height};
+    Rings result{
+        {}, std::clamp<std::size_t>(steps(two_pi * shape.radius, edge), 8, 256), shape.low, shape.low + shape.height};
     if (shape.kind == Shape::Kind::cone) {
         const auto lid = [&](double radius, double z, bool inward) {
             const std::size_t n = steps(radius, edge);

@@ -18,12 +18,13 @@ struct Pose {
 struct Block {
     Vec3 low, high;
     std::string label;
-    int part = 0;        ///< number of the part within its shape
-    bool is_cut = false; ///< cut out; the side of the hole that faces along `facing` is the part, the others are not
+    int part = 0;         ///< number of the part within its shape
+    bool is_cut = false;  ///< cut out; the side of the hole that faces along `facing` is the part, the others are not
     Vec3 facing = Vec3::Zero();
 };
 
-/// A closed surface of one scene, in its own coordinates. Counts and meshes are for triangles with legs of at most `edge`.
+/// A closed surface of one scene, in its own coordinates. Counts and meshes are for triangles with legs of at most
+/// `edge`.
 struct Shape {
     enum class Kind { blocks, gable, cone, ball };
     Kind kind = Kind::blocks;

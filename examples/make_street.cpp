@@ -14,8 +14,9 @@
 
 int main(int argc, char** argv) {
     if (argc < 3) {
-        fmt::print(stderr, "usage: make_street FOLDER NAME [seed=1] [triangles=200000] [style=mixed|slabs|solid|carved] "
-                           "[trees=yes|no] [FAULT…]\n");
+        fmt::print(stderr,
+                   "usage: make_street FOLDER NAME [seed=1] [triangles=200000] [style=mixed|slabs|solid|carved] "
+                   "[trees=yes|no] [FAULT…]\n");
         return 1;
     }
     try {

@@ -86,7 +86,8 @@ private:
             const bool is_first = i == 0 && side < 0, is_second = i == 1 && side < 0;
             b.floors = is_first && has_fault("DoorOntoNothing") ? 3 : integer(1, 3);
             b.width = uniform(8, 13), b.depth = uniform(7, 11), b.height = b.floors * 3.0 + 0.4;
-            b.style = options_.style == BuildingStyle::mixed ? static_cast<BuildingStyle>(integer(0, 2)) : options_.style;
+            b.style =
+                options_.style == BuildingStyle::mixed ? static_cast<BuildingStyle>(integer(0, 2)) : options_.style;
             b.has_gable = integer(0, 1) == 1;
             b.has_roof = !(is_second && has_fault("RooflessWall"));
             b.door_at = uniform(1.2, b.width - 1.2);
@@ -267,8 +268,7 @@ ExampleObject street(const StreetOptions& options) {
                              "BlockedDoor and RooflessWall");
     const Street made(options);
     constexpr double coarse = 1000;
-    ExampleObject object =
-        made.scene.mesh(options.triangles > 0 ? made.scene.edge_for(options.triangles) : coarse);
+    ExampleObject object = made.scene.mesh(options.triangles > 0 ? made.scene.edge_for(options.triangles) : coarse);
     object.name = "street";
     object.object_class = options.has_trees ? "TreeLinedStreet" : "BareStreet";
     if (!options.faults.empty()) object.incompatibility = options.faults.front();

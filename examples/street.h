@@ -22,14 +22,14 @@ struct StreetOptions {
     int buildings_a_side = 4;
     BuildingStyle style = BuildingStyle::mixed;
     bool has_trees = true;
-    /// Local names of diagnoses in street.ttl to seed, each once: DoorOntoNothing, LampInRoad, TreeInRoad, CarOnPavement,
-    /// BlockedDoor, RooflessWall.
+    /// Local names of diagnoses in street.ttl to seed, each once: DoorOntoNothing, LampInRoad, TreeInRoad,
+    /// CarOnPavement, BlockedDoor, RooflessWall.
     std::vector<std::string> faults = {};
 };
 
-/// A street made at random (paper Fig. 4): ground, road, pavements, buildings with doors and windows, lamp posts, trees,
-/// benches and parked cars. Labels are concepts of street.ttl; `incompatibility` is the first fault. Metres, z up, the
-/// lowest point at 0. Throws UsageError for an unknown fault.
+/// A street made at random (paper Fig. 4): ground, road, pavements, buildings with doors and windows, lamp posts,
+/// trees, benches and parked cars. Labels are concepts of street.ttl; `incompatibility` is the first fault. Metres, z
+/// up, the lowest point at 0. Throws UsageError for an unknown fault.
 [[nodiscard]] ExampleObject street(const StreetOptions& options = {});
 
 }  // namespace partonomy

@@ -111,8 +111,8 @@ void place(Object& object, const Placement& placement) {
 }
 
 void cut(Object& object, int threads) {
-    object.candidates = find_parts(
-        object.mesh, {object.placement.up, threads, object.tree, object.is_scene}, &object.times);
+    object.candidates =
+        find_parts(object.mesh, {object.placement.up, threads, object.tree, object.is_scene}, &object.times);
     if (object.appearance) split_by_color(object);
 }
 

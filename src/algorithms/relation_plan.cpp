@@ -1,12 +1,10 @@
-/* Where one thing stands on, under or beside another, in metres: for scenes, of which a fraction says nothing. Without a
- * unit they have no answer.
+/* Where one thing stands on, under or beside another, in metres: for scenes, of which a fraction says nothing. Without
+ * a unit they have no answer.
  *
  * Two things are seen from above. What a thing covers is the convex outline of its points, so that a road that runs
- * askew covers no more than its own ground. The distance of two outlines is 0 when no side of either parts them, else that
- * of the nearest corner and side. The mesh is passed once for each region that is asked about; a rectangle's corners are
- * exact, a disc is taken for a polygon of 64 corners. Cost: O(n) a region, then O(1) a pair. */
-
-#include "algorithms/relation_measures.h"
+ * askew covers no more than its own ground. The distance of two outlines is 0 when no side of either parts them, else
+ * that of the nearest corner and side. The mesh is passed once for each region that is asked about; a rectangle's
+ * corners are exact, a disc is taken for a polygon of 64 corners. Cost: O(n) a region, then O(1) a pair. */
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -15,6 +13,8 @@
 #include <limits>
 #include <numbers>
 #include <vector>
+
+#include "algorithms/relation_measures.h"
 
 namespace partonomy {
 namespace {
@@ -111,11 +111,10 @@ std::optional<double> middle_distance(const Scene& scene, Regions r) {
 void add_plan_measures(std::vector<RelationMeasure>& measures) {
     measures.push_back({"foot rise", 2, "m", "from the top of the reference up to the foot of the target", foot_rise,
                         foot_rise_range});
-    measures.push_back({"plan distance", 2, "m", "distance of the two seen from above, 0 where they overlap",
-                        plan_distance});
+    measures.push_back(
+        {"plan distance", 2, "m", "distance of the two seen from above, 0 where they overlap", plan_distance});
     measures.push_back({"middle distance", 2, "m",
-                        "from the middle of the target to the reference, seen from above; 0 over it",
-                        middle_distance});
+                        "from the middle of the target to the reference, seen from above; 0 over it", middle_distance});
 }
 
 }  // namespace partonomy

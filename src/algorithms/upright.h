@@ -32,7 +32,8 @@ struct RegionPlace {
     Eigen::Matrix3d spread;  ///< second moments of the surface about that mean, over its area
     /// Its triangles, sorted into boxes; made when a distance is asked for the first time.
     mutable std::shared_ptr<const TriangleTree> triangles;
-    /// Corners of what it covers seen from above, counter-clockwise; made when relation_plan.cpp asks for the first time.
+    /// Corners of what it covers seen from above, counter-clockwise; made when relation_plan.cpp asks for the first
+    /// time.
     mutable std::vector<Eigen::Vector2d> outline;
     [[nodiscard]] Vec3 middle() const { return (low + high) / 2; }
 };

@@ -86,9 +86,10 @@ AnnotatedPart make_part(const Session& session, int region, const ConfigurationS
     AnnotatedPart part;
     part.id = region + 1;
     std::vector<Iri> concepts = specific_first(domain, naming.concepts);
-    std::ranges::stable_partition(concepts, [&](const Iri& iri) {  // a part is called by what it is, then by what is wrong
-        return !domain.regions.concepts[static_cast<std::size_t>(*domain.regions.find(iri))].incompatible;
-    });
+    std::ranges::stable_partition(
+        concepts, [&](const Iri& iri) {  // a part is called by what it is, then by what is wrong
+            return !domain.regions.concepts[static_cast<std::size_t>(*domain.regions.find(iri))].incompatible;
+        });
     part.concepts = local_names(concepts);
     part.triangles = session.part(region).region.triangles;
     part.score = session.part(region).fit * session.shape_score(region) * naming.certainty;

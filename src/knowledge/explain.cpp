@@ -244,8 +244,7 @@ std::vector<char> defining_axioms(const Theory& theory, int goal, std::size_t ax
 }
 
 Explanation explain(const Domain& domain, const Knowledge& knowledge, const Iri& concept_iri, int region_asked) {
-    if (needs_mesh_world(domain, knowledge))
-        return MeshReasoner(domain, knowledge).explain(concept_iri, region_asked);
+    if (needs_mesh_world(domain, knowledge)) return MeshReasoner(domain, knowledge).explain(concept_iri, region_asked);
     if (is_about_one_region(domain, concept_iri, region_asked)) {
         const Excerpt excerpt(knowledge, region_asked);
         Explanation explanation = one_reason(domain, excerpt.knowledge, concept_iri, 0);
@@ -366,8 +365,7 @@ std::vector<Correction> corrections(const Domain& domain, const Knowledge& knowl
         const Excerpt excerpt(knowledge, region);
         std::vector<double> its_costs;
         for (const std::size_t i : excerpt.places) its_costs.push_back(costs[i]);
-        std::vector<Correction> found =
-            cheapest_changes(domain, excerpt.knowledge, concept_iri, its_costs, 0, options);
+        std::vector<Correction> found = cheapest_changes(domain, excerpt.knowledge, concept_iri, its_costs, 0, options);
         for (Correction& each : found) each.answers = excerpt.in_all(std::move(each.answers));
         return found;
     }

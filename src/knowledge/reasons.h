@@ -4,7 +4,8 @@
 #include "knowledge/theory.h"
 
 // Inside of the knowledge folder: explanations and corrections by a SAT solver, for theories that ObjectClauses can
-// express; what they say of a concept of one region holds for any theory. What the functions promise stands in explain.h.
+// express; what they say of a concept of one region holds for any theory. What the functions promise stands in
+// explain.h.
 
 namespace partonomy::knowledge {
 

@@ -130,7 +130,8 @@ void drop_duplicates(TriangleMesh& mesh, const EdgeTable& edges, MeshReport& rep
     for (const auto& [twin, first] : twins) dropped[twin] = true;
     report.duplicate_faces = std::count(dropped.begin(), dropped.end(), true);
     if (report.duplicate_faces == 0) return;
-    std::sort(twins.begin(), twins.end());  // by dropped triangle: a twin of a twin comes later and finds its face settled
+    std::sort(twins.begin(),
+              twins.end());  // by dropped triangle: a twin of a twin comes later and finds its face settled
     std::vector<bool> has_own(static_cast<std::size_t>(mesh.input_face_count), false);
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
         if (!dropped[t]) has_own[static_cast<std::size_t>(mesh.input_faces[t])] = true;

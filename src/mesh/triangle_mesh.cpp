@@ -14,9 +14,9 @@
 // Adjacency. An edge with two triangles links them. At an edge with more, the triangles are sorted by their angle
 // around the edge. A triangle that runs down the edge (from the larger vertex index to the smaller) has its inside at
 // growing angle, one that runs up has it at falling angle; so "down" opens a wedge of solid and the next "up" closes
-// it, and the two are matched like brackets on a circle. Two boxes that touch along an edge thus stay two solids, also when
-// they touch side to side: of walls at the same angle, those that close a wedge come first. What
-// finds no partner, such as the third wall at a T-joint of sheets, is left open.
+// it, and the two are matched like brackets on a circle. Two boxes that touch along an edge thus stay two solids, also
+// when they touch side to side: of walls at the same angle, those that close a wedge come first. What finds no partner,
+// such as the third wall at a T-joint of sheets, is left open.
 
 namespace partonomy {
 namespace {

@@ -2,16 +2,16 @@
 //
 // What stands on the ground, hangs on a wall or is set into it, ends in a concave crease that leads all around it: the
 // foot of a lamp post, the outline of a door. So the surface is first cut into flat or smooth sides, at every edge that
-// turns by 20 degrees; sides that meet in a convex edge grow together again, and what a concave crease parts on all ways
-// stays apart. Shells that touch nowhere are apart anyhow.
+// turns by 20 degrees; sides that meet in a convex edge grow together again, and what a concave crease parts on all
+// ways stays apart. Shells that touch nowhere are apart anyhow.
 //
-// A side most of whose outline is concave is a piece of its own even where the rest of its outline is convex: the bottom
-// of a recess that reaches the foot of a wall, the road between two kerbs that ends with the ground. Single triangles
-// are not taken for such sides: on a coarse bumpy tree top each triangle is a side.
+// A side most of whose outline is concave is a piece of its own even where the rest of its outline is convex: the
+// bottom of a recess that reaches the foot of a wall, the road between two kerbs that ends with the ground. Single
+// triangles are not taken for such sides: on a coarse bumpy tree top each triangle is a side.
 //
-// A piece is plain when no two large sides of it (a hundredth of its surface each) meet in a concave crease: a box, a ball, a
-// wall with windows carved into it. The others (a house with two wings, a bench whose legs are flush with its seat) are
-// for find_parts. Cost: O(n).
+// A piece is plain when no two large sides of it (a hundredth of its surface each) meet in a concave crease: a box, a
+// ball, a wall with windows carved into it. The others (a house with two wings, a bench whose legs are flush with its
+// seat) are for find_parts. Cost: O(n).
 
 #include "shape/scene_pieces.h"
 

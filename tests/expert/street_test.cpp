@@ -1,13 +1,14 @@
 // Streets made by code (examples/street.h): every kind of element is found and named, the scene is recognised, and each
 // seeded fault is found with the part to blame.
 
+#include "examples/street.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <map>
 #include <set>
 
-#include "examples/street.h"
 #include "examples/transforms.h"
 #include "expert/annotate.h"
 #include "knowledge/domain.h"
@@ -17,8 +18,7 @@ namespace partonomy {
 namespace {
 
 struct Recogniser {
-    knowledge::Domain domain =
-        knowledge::compile(owl::load_ontology(PARTONOMY_SOURCE_DIR "/ontologies/street.ttl"));
+    knowledge::Domain domain = knowledge::compile(owl::load_ontology(PARTONOMY_SOURCE_DIR "/ontologies/street.ttl"));
     Catalogue catalogue = make_catalogue(domain);
     [[nodiscard]] Annotation annotate(const TriangleMesh& mesh) const {
         return partonomy::annotate(domain, catalogue, make_object(mesh, {}, 2, domain.is_about_scenes));
@@ -83,14 +83,15 @@ TEST(Street, CoarseMeshesAndEveryStyleOfBuilding) {
 }
 
 TEST(Street, EverySeededFaultIsFoundAndNoOther) {
-    const std::map<std::string, std::string> culprits = {
-        {"DoorOntoNothing", "Door"}, {"LampInRoad", "LampPole"}, {"TreeInRoad", "Trunk"},
-        {"CarOnPavement", "Car"},    {"BlockedDoor", "Door"},    {"RooflessWall", "Wall"}};
+    const std::map<std::string, std::string> culprits = {{"DoorOntoNothing", "Door"}, {"LampInRoad", "LampPole"},
+                                                         {"TreeInRoad", "Trunk"},     {"CarOnPavement", "Car"},
+                                                         {"BlockedDoor", "Door"},     {"RooflessWall", "Wall"}};
     for (const std::uint64_t seed : {21, 22, 23}) {
         SCOPED_TRACE(seed);
         for (const auto& [fault, culprit] : culprits) {
             SCOPED_TRACE(fault);
-            const ExampleObject scene = street({.seed = seed, .triangles = 5'000, .buildings_a_side = 2, .faults = {fault}});
+            const ExampleObject scene =
+                street({.seed = seed, .triangles = 5'000, .buildings_a_side = 2, .faults = {fault}});
             const Annotation annotation = recogniser().annotate(scene.mesh);
             expect_all_named(scene, annotation);
             const auto found = faults(scene, annotation);
@@ -102,10 +103,10 @@ TEST(Street, EverySeededFaultIsFoundAndNoOther) {
 }
 
 TEST(Street, AllFaultsAtOnce) {
-    const ExampleObject scene =
-        street({.seed = 31,
-                .triangles = 20'000,
-                .faults = {"DoorOntoNothing", "LampInRoad", "TreeInRoad", "CarOnPavement", "BlockedDoor", "RooflessWall"}});
+    const ExampleObject scene = street(
+        {.seed = 31,
+         .triangles = 20'000,
+         .faults = {"DoorOntoNothing", "LampInRoad", "TreeInRoad", "CarOnPavement", "BlockedDoor", "RooflessWall"}});
     std::set<std::string> names;
     for (const auto& [name, label] : faults(scene, recogniser().annotate(scene.mesh))) names.insert(name);
     EXPECT_EQ(names, (std::set<std::string>{"BlockedDoor", "CarOnPavement", "DoorOntoNothing", "LampInRoad",
@@ -130,7 +131,9 @@ TEST(Street, AnswersTurnWithTheSceneAndDoNotDependOnItsTriangles) {
     }
 }
 
-TEST(Street, AnUnknownFaultIsRefused) { EXPECT_THROW(static_cast<void>(street({.faults = {"Flood"}})), std::exception); }
+TEST(Street, AnUnknownFaultIsRefused) {
+    EXPECT_THROW(static_cast<void>(street({.faults = {"Flood"}})), std::exception);
+}
 
 }  // namespace
 }  // namespace partonomy
