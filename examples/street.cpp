@@ -40,6 +40,7 @@ public:
         if (has_fault("CarOnPavement")) add_car({0.5 * length_, 5.6, pavement_top}, 0);
     }
     ShapeScene scene;
+    int trees = 0;
 
 private:
     double uniform(double low, double high) {  // the same numbers with any standard library
@@ -201,6 +202,7 @@ private:
 
     void add_tree(const Vec3& foot) {
         const double trunk = uniform(1.8, 2.8), radius = uniform(0.1, 0.2), crown = uniform(0.9, 1.4);
+        ++trees;
         add_cone(foot, radius, radius * 0.8, trunk, "Trunk");
         if (integer(0, 2) > 0)
             add_ball(foot + Vec3(0, 0, trunk - 0.3), crown, crown * uniform(1.6, 2.4), "Crown");
@@ -270,7 +272,7 @@ ExampleObject street(const StreetOptions& options) {
     constexpr double coarse = 1000;
     ExampleObject object = made.scene.mesh(options.triangles > 0 ? made.scene.edge_for(options.triangles) : coarse);
     object.name = "street";
-    object.object_class = options.has_trees ? "TreeLinedStreet" : "BareStreet";
+    object.object_class = made.trees >= 3 ? "TreeLinedStreet" : made.trees == 0 ? "BareStreet" : "LitStreet";
     if (!options.faults.empty()) object.incompatibility = options.faults.front();
     return object;
 }
