@@ -116,6 +116,20 @@ double overlap(const Sampled& a, const Sampled& b, int axis) {
     return std::clamp((std::min(a.high[axis], b.high[axis]) - std::max(a.low[axis], b.low[axis])) / shorter, 0.0, 1.0);
 }
 
+/// Distance of the convex outlines of two sets seen from above: the widest gap in any direction.
+double plan_gap(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+    double widest = 0;
+    for (int i = 0; i < 3000; ++i) {
+        const double angle = 2 * std::numbers::pi * i / 3000;
+        const Vec3 way(std::cos(angle), std::sin(angle), 0);
+        double from = 1e300, to = -1e300;
+        for (const Vec3& p : a) from = std::min(from, way.dot(p));
+        for (const Vec3& p : b) to = std::max(to, way.dot(p));
+        widest = std::max(widest, from - to);
+    }
+    return widest;
+}
+
 /// Points along the edges of one that are near the other.
 void contacts(const Sampled& one, const Sampled& other, double reach, std::vector<Vec3>& points) {
     for (const auto& t : one.triangles)
@@ -271,6 +285,9 @@ Opinion opinion(const std::string& name, const World& world, const Tuple& tuple)
         }
         return {least / diagonal, 2e-3};
     }
+    if (name == "foot rise") return {t.low.z() - r.high.z(), exact};
+    if (name == "plan distance") return {plan_gap(t.corners, r.corners), 0.01};
+    if (name == "middle distance") return {plan_gap({t.block.centre}, r.corners), 0.01};
     if (name == "size difference") return {(lt.array() / lr.array()).log().abs().maxCoeff(), 1e-4};
     if (name == "shape difference") {
         const auto spread = [](const Sampled& s, double length) {  // along the box's side of that length
@@ -328,6 +345,7 @@ struct RandomScene {
         const solids::Motion motion = solids::random_motion(random, 0);
         for (const Block& block : blocks) stage.add(block);
         stage.move(motion, random);
+        stage.object.placement.metres_per_unit = 1 / motion.scale;
         stage.finish();
         const Eigen::AngleAxisd back(-motion.degrees / degrees, Vec3::UnitZ());
         for (std::size_t i = 0; i < blocks.size(); ++i) {
