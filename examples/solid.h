@@ -24,6 +24,9 @@ public:
     void begin_part(const std::string& label);
     /// A polygon, counter-clockwise from outside, or from inside when `reversed`.
     void face(std::vector<Vertex> corners, bool reversed = false);
+    /// A level polygon, counter-clockwise from above, with holes in it, each counter-clockwise from above, too. It
+    /// faces up, or down when `reversed`. Holes may not touch each other or the border.
+    void face_with_holes(std::vector<Vertex> border, std::vector<std::vector<Vertex>> holes, bool reversed = false);
     /// The walls and the lid of a prism that stands on `base` (counter-clockwise from above) and ends at height z,
     /// which is above the base, or below it. The base itself stays open: it is where the part joins the next one.
     void prism(const std::vector<Vertex>& base, double z);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -30,5 +31,10 @@ struct DerivedRegions {
 [[nodiscard]] DerivedRegions derive_find_all(
     const Object& object, std::span<const PartRegion* const> parts, Grain grain,
     const std::function<std::optional<double>(const RegionMeasurements&)>& is_a);
+
+/// The parts that are others once each curved patch of the surface lies on one part only; without triangles where
+/// nothing is left of a part. A derived `find all` among patches needs such parts, or it finds a hole in pieces.
+[[nodiscard]] std::map<std::size_t, PartRegion> keep_patches_whole(const Object& object,
+                                                                   std::span<const PartRegion* const> parts);
 
 }  // namespace partonomy

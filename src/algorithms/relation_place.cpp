@@ -137,6 +137,25 @@ Interval opening_range(const Scene&, Surrounds s) {
     return {0, widest};
 }
 
+/// From the sides of the reference's box inward to the target's; negative when the target reaches beyond them.
+std::optional<double> margin(const Scene& scene, Regions r) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const int axis : {0, 1})
+        least = std::min({least, r[0]->low[axis] - r[1]->low[axis], r[1]->high[axis] - r[0]->high[axis]});
+    return fraction(least, scene.diagonal);
+}
+
+Interval margin_range(const Scene& scene, Surrounds s) {
+    Interval least{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+    for (const int axis : {0, 1}) {
+        least.low = std::min(
+            {least.low, s[0]->low_from[axis] - s[1]->low_to[axis], s[1]->high_from[axis] - s[0]->high_to[axis]});
+        least.high = std::min(
+            {least.high, s[0]->low_to[axis] - s[1]->low_from[axis], s[1]->high_to[axis] - s[0]->high_from[axis]});
+    }
+    return fraction(least, scene.diagonal);
+}
+
 /// Two of three coordinates agree in a row: the second largest difference.
 double middle_of(double a, double b, double c) { return std::max(std::min(a, b), std::min(std::max(a, b), c)); }
 
@@ -184,6 +203,8 @@ void add_place_measures(std::vector<RelationMeasure>& measures) {
         "behind", 2, "diagonal", "from the reference's back side backward to the middle of the target; needs a front",
         [](const Scene& scene, Regions r) { return beyond(scene, back_of(scene), r); },
         [](const Scene& scene, Surrounds s) { return beyond_range(scene, back_of(scene), s); });
+    add("margin", 2, "diagonal", "from the nearest upright side of the reference's box inward to the target's box",
+        margin, margin_range);
     add("row offset", 2, "diagonal", "how far the middles are off one line along a side of the object, or upright",
         row_offset, row_range);
     add("opening angle", 3, "degrees", "in the middle of the target, between the ways to the two references",

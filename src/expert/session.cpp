@@ -110,9 +110,19 @@ Session::Candidate Session::make_candidate(PartRegion part) const {
     return candidate;
 }
 
-std::vector<std::pair<Session::Candidate, double>> Session::take_derived(const ElementaryAlgorithm& algorithm) {
+std::vector<const PartRegion*> Session::rest_parts() const {
     std::vector<const PartRegion*> parts;
     for (const Candidate& candidate : rest_) parts.push_back(&candidate.part);
+    return parts;
+}
+
+std::vector<std::pair<Session::Candidate, double>> Session::take_derived(const ElementaryAlgorithm& algorithm) {
+    if (algorithm.grain == Grain::patches && !std::exchange(patches_are_whole_, true)) {
+        for (auto& [part, region] : keep_patches_whole(object_, rest_parts()))
+            rest_[part] = region.region.triangles.empty() ? Candidate{} : make_candidate(std::move(region));
+        std::erase_if(rest_, [](const Candidate& candidate) { return candidate.part.region.triangles.empty(); });
+    }
+    const std::vector<const PartRegion*> parts = rest_parts();
     DerivedRegions derived =
         derive_find_all(object_, parts, *algorithm.grain, [&](const RegionMeasurements& measurements) {
             return is_a(domain_, catalogue_, algorithm.question, object_, measurements);

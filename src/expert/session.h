@@ -89,6 +89,7 @@ private:
     static std::size_t index(int region) { return static_cast<std::size_t>(region); }
     int add_region(Candidate candidate);
     [[nodiscard]] Candidate make_candidate(PartRegion part) const;
+    [[nodiscard]] std::vector<const PartRegion*> rest_parts() const;
     /// Takes the regions that a derived `find all` finds from the rest, with their scores.
     std::vector<std::pair<Candidate, double>> take_derived(const ElementaryAlgorithm& algorithm);
     std::optional<bool> ask_relation(int region, knowledge::Question question);
@@ -109,6 +110,7 @@ private:
     const Catalogue& catalogue_;
     const Object& object_;
     double uncovered_fraction_ = 0;
+    bool patches_are_whole_ = false;  ///< no border of the rest cuts a curved patch (keep_patches_whole)
     std::vector<knowledge::ConceptId> wanted_;
     std::vector<char> measured_;  ///< by variable of regions
 
