@@ -199,7 +199,7 @@ Annotation annotate_file(const Arguments& arguments, const Knowhow& knowhow, Inp
 
 std::string summary(const Annotation& annotation, const fs::path& folder) {
     std::map<std::string, int> counts;
-    for (const AnnotatedPart& part : annotation.parts) ++counts[part.concepts.empty() ? "-" : part.concepts.front()];
+    for (const AnnotatedPart& part : annotation.parts) ++counts[part.concepts.empty() ? "unnamed" : part.concepts.front()];
     std::string parts;
     for (const auto& [name, count] : counts)
         parts += fmt::format("{}{}{}", parts.empty() ? "" : ", ", name, count > 1 ? fmt::format(" x{}", count) : "");

@@ -111,8 +111,8 @@ int run_explain(const Arguments& arguments) {
         if (arguments.all) print_all_explanations(arguments, annotation);
         return object.at("consistent").get<bool>() ? recognised : incompatible;
     } catch (const json::exception& error) {
-        throw UsageError(
-            at(arguments.folder + "/annotation.json", 0, std::string("is not a complete annotation: ") + error.what()));
+        throw UsageError(at(annotation_path(arguments.folder).string(), 0,
+                            std::string("is not a complete annotation: ") + error.what()));
     }
 }
 
@@ -121,7 +121,8 @@ int run_explain(const Arguments& arguments) {
 void add_explain_command(CLI::App& app, Run& run) {
     auto arguments = std::make_shared<Arguments>();
     CLI::App& command = *app.add_subcommand("explain", "why a part has its name, or why an object is impossible");
-    command.add_option("DIR", arguments->folder, "folder of one annotated mesh")->required();
+    command.add_option("DIR", arguments->folder, "folder of one annotated mesh, or the annotation.json in it")
+        ->required();
     command.add_option("--part", arguments->part, "only this part");
     command.add_flag("--all", arguments->all, "every minimal explanation of what is impossible");
     command.add_option("--ontology,-O", arguments->ontology.path, "for --all: where the ontology is now");

@@ -10,8 +10,14 @@ namespace partonomy::app {
 
 using nlohmann::json;
 
-json load_annotation(const std::string& folder) {
-    const std::filesystem::path path = std::filesystem::path(folder) / "annotation.json";
+std::filesystem::path annotation_path(const std::string& told) {
+    const std::filesystem::path path = told;
+    std::error_code ignored;
+    return std::filesystem::is_regular_file(path, ignored) ? path : path / "annotation.json";
+}
+
+json load_annotation(const std::string& told) {
+    const std::filesystem::path path = annotation_path(told);
     json annotation = json::parse(read_file(path), nullptr, false);
     if (annotation.is_discarded() || !annotation.is_object())
         throw UsageError(at(path.string(), 0, "is not an annotation; run partonomy annotate again"));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -9,8 +10,11 @@
 
 namespace partonomy::app {
 
-/// annotation.json of one annotated mesh. Throws UsageError when it is none.
-[[nodiscard]] nlohmann::json load_annotation(const std::string& folder);
+/// The file that is told, or annotation.json in the folder that is told.
+[[nodiscard]] std::filesystem::path annotation_path(const std::string& told);
+
+/// annotation.json of one annotated mesh, given as for annotation_path. Throws UsageError when it is none.
+[[nodiscard]] nlohmann::json load_annotation(const std::string& told);
 
 /// The ontology that the mesh was annotated with: `arguments.path`, or where it was then. Throws UsageError when it is
 /// another one by now.

@@ -86,10 +86,24 @@ std::string text_of(const owl::Ontology& ontology, const Iri& iri, const char* k
     return {};
 }
 
+/// A measurement and its trapezoid are one pair; a second one would leave open which belongs to which.
+void refuse_second(const std::vector<owl::Annotation>& annotations, const Iri& iri, const char* knob) {
+    const owl::Annotation* first = nullptr;
+    for (const owl::Annotation& annotation : annotations) {
+        if (annotation.property != core_term(knob)) continue;
+        if (first != nullptr && first->literal.value != annotation.literal.value)
+            refuse_knob(annotation, iri,
+                        "is a second one beside \"" + first->literal.value +
+                            "\"; keep one, or write each measurement with its numbers as a core:criterion");
+        first = &annotation;
+    }
+}
+
 ElementaryConcept read_value(const owl::Ontology& ontology, const Iri& iri) {
     ElementaryConcept value{iri, {}, std::nullopt, text_of(ontology, iri, "question")};
     const auto found = ontology.annotations.find(iri);
     if (found == ontology.annotations.end()) return value;
+    for (const char* knob : {"measure", "membership"}) refuse_second(found->second, iri, knob);
     const std::string measure = text_of(ontology, iri, "measure");
     bool has_membership = false;
     for (const owl::Annotation& annotation : found->second) {

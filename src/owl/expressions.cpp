@@ -71,6 +71,14 @@ void Expressions::reject_undeclared(Node node, EntityKind kind, long line) const
         fail(line,
              shown(node) + " is " + names[static_cast<int>(other)] + ", but stands where " + what + " is expected");
     }
+    if (iri.starts_with(core_prefix)) {
+        const bool is_imported = declarations_.has(std::string(core_prefix) + "Region", EntityKind::klass);
+        fail(line, is_imported
+                       ? shown(node) + " is used as " + what + ", but the core ontology has no such; mend its name" +
+                             declarations_.suggestion(iri, kind)
+                       : shown(node) + " is a name of the core ontology, which is not imported; import <" + core_iri +
+                             "> (in Protégé: Active ontology > Direct imports)");
+    }
     fail(line, shown(node) + " is used as " + what + " but not declared; declare it as " + type + " or mend its name" +
                    declarations_.suggestion(iri, kind));
 }

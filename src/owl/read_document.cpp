@@ -100,6 +100,19 @@ bool looks_like_manchester(std::string_view text) {
     return false;
 }
 
+/// Whether a Turtle document may begin so: with a directive, an IRI or a blank node. A prefixed name is a slip of one
+/// who meant Turtle, since nothing above has declared its prefix; ordinary words are not.
+bool may_be_turtle(std::string_view text) {
+    if (text.empty() || std::strchr("@<[(_:", text[0]) != nullptr) return true;
+    const std::size_t end = std::min(text.find_first_of(" \t\r\n"), text.size());
+    std::string word(text.substr(0, end));
+    const std::size_t colon = word.find(':');
+    if (colon != std::string::npos && colon + 1 < word.size()) return true;
+    for (char& c : word)
+        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+    return word == "PREFIX" || word == "BASE";
+}
+
 void read_text(const std::string& text, std::size_t start, const std::string& base, Graph& graph) {
     if (const std::size_t zero = text.find('\0'); zero != std::string::npos) {
         throw OntologyError(
@@ -119,6 +132,10 @@ void read_text(const std::string& text, std::size_t start, const std::string& ba
                                std::string(format) + " is not read; save the ontology in a syntax of OWL 2, such as "
                                                      "Turtle (in Protégé: File > Save as)"));
     }
+    if (!may_be_turtle(rest))
+        throw OntologyError(at(graph.file, line_at(text, start),
+                               "is no ontology; one in Turtle, N-Triples, RDF/XML, OWL/XML, functional or Manchester "
+                               "syntax is expected (in Protégé: File > Save as)"));
     read_turtle(text, base, graph);
 }
 

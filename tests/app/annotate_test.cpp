@@ -61,7 +61,8 @@ TEST(Annotate, BenchEndToEnd) {
         faces += part.at("faces").get<std::int64_t>();
     }
     EXPECT_EQ(faces, 36);
-    for (const char* key : {"SF", "SI", "T", "TF", "read_off"}) EXPECT_TRUE(annotation.at("questions").contains(key)) << key;
+    for (const char* key : {"SF", "SI", "T", "TF", "read_off"})
+        EXPECT_TRUE(annotation.at("questions").contains(key)) << key;
     ASSERT_FALSE(annotation.at("trace").empty());
     for (const json& entry : annotation.at("trace"))
         for (const char* key : {"question", "region", "answer", "score", "inferred", "ms"})
@@ -111,6 +112,26 @@ TEST(Annotate, SameBytesOnAnyNumberOfThreads) {
                       sha256(read_file(folder.path() / "out1/chair2" / name)))
                 << name << " on " << threads << " threads";
     }
+}
+
+TEST(Annotate, PartsWithoutANameAreCountedAndNamedOneByOne) {
+    const TemporaryFolder folder;
+    folder.write("chair.off", to_off(paper_object("chair").mesh));
+    folder.write("legs.omn",
+                 "Prefix: : <http://example.org/d#>\nPrefix: core: <https://w3id.org/partonomy/core#>\n"
+                 "Ontology: <http://example.org/d>\nImport: <https://w3id.org/partonomy/core>\n"
+                 "Class: :Leg\n SubClassOf: core:Region\n EquivalentTo: core:Region and core:hasShape some core:Stick\n"
+                 "Class: :Legged\n SubClassOf: core:Object\n EquivalentTo: core:hasPart some :Leg\n");
+    const ProgramResult result =
+        run_partonomy({"annotate", "chair.off", "--ontology", "legs.omn", "-o", "out"}, folder.path());
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_NE(result.out.find("Leg x4, unnamed x2; "), std::string::npos) << result.out;
+    const json annotation = json::parse(read_file(folder.path() / "out/chair/annotation.json"));
+    std::vector<std::string> unnamed;
+    for (const json& part : annotation.at("parts"))
+        if (part.at("concepts").empty())
+            unnamed.push_back("part " + part.at("id").dump() + " is nothing that the ontology names");
+    EXPECT_EQ(annotation.at("open_questions").get<std::vector<std::string>>(), unnamed);
 }
 
 TEST(Annotate, OnlyTheFormatsAskedFor) {

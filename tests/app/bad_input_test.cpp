@@ -99,7 +99,26 @@ TEST(BadOntology, OneSentenceWithFileAndLine) {
         prefixes + "<http://example.org/d> a owl:Ontology ; owl:imports <https://w3id.org/partonomy/core> .\n";
     const std::vector<Case> cases = {
         {"empty", "o.ttl", "", {"o.ttl"}},
-        {"not an ontology", "o.ttl", "this is\nno ontology", {"o.ttl"}},
+        {"not an ontology", "o.ttl", "this is\nno ontology", {"o.ttl:1", "is no ontology", "Manchester"}},
+        {"a note", "o.txt", "\nLamps: to do", {"o.txt:2", "is no ontology"}},
+        {"core forgotten",
+         "o.ttl",
+         prefixes + ":Leg a owl:Class ; rdfs:subClassOf core:Region .\n",
+         {"o.ttl:5", "which is not imported; import <https://w3id.org/partonomy/core>"}},
+        {"no such name in core",
+         "o.ttl",
+         importing + ":Leg a owl:Class ; rdfs:subClassOf core:Regoin .\n",
+         {"o.ttl:6", "core ontology has no such; mend its name (did you mean Region?)"}},
+        {"a second trapezoid",
+         "o.ttl",
+         importing + ":Weight a owl:Class ; rdfs:subClassOf core:Feature .\n:Light a owl:Class ; rdfs:subClassOf "
+                     ":Weight ; core:measure \"volume\" ;\n  core:membership \"0 0 1 2\" ;\n  core:membership \"0 0 3 "
+                     "4\" .\n:hasWeight a owl:ObjectProperty , owl:FunctionalProperty ; rdfs:range :Weight .\n"
+                     ":Part a owl:Class ; rdfs:subClassOf core:Region ; owl:equivalentClass [ a owl:Restriction ; "
+                     "owl:onProperty :hasWeight ; owl:someValuesFrom :Light ] .\n"
+                     ":Whole a owl:Class ; rdfs:subClassOf core:Object ; owl:equivalentClass [ a owl:Restriction ; "
+                     "owl:onProperty core:hasPart ; owl:someValuesFrom :Part ] .\n",
+         {"o.ttl:9", "core:criterion", "is a second one beside \"0 0 1 2\""}},
         {"binary", "o.ttl", std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16), {"o.ttl"}},
         {"syntax error", "o.ttl", importing + ":Seat a owl:Class\n:Leg a owl:Class .\n", {"o.ttl:7"}},
         {"unclosed", "o.ttl", importing + ":Seat a owl:Class ; rdfs:label \"seat", {"o.ttl"}},

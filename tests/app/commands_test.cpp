@@ -221,6 +221,10 @@ TEST(Explain, OnePartOrAll) {
     EXPECT_NE(one.out.find("part 1 is a"), std::string::npos);
     EXPECT_EQ(one.out.find("part 2 is a"), std::string::npos);
     EXPECT_EQ(run_partonomy({"explain", "out/bench", "--part", "9"}, folder.path()).exit_code, 1);
+    EXPECT_EQ(run_partonomy({"explain", "out/bench/annotation.json"}, folder.path()).out, all.out);
+    const ProgramResult other = run_partonomy({"explain", "bench.off"}, folder.path());
+    EXPECT_EQ(other.exit_code, 1);
+    EXPECT_NE(other.err.find("bench.off: is not an annotation"), std::string::npos) << other.err;
 }
 
 TEST(Explain, EveryMinimalExplanation) {

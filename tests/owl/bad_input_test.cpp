@@ -68,7 +68,7 @@ TEST(BadInput, Formats) {
         {"\n\n:caf\xe9 a :b .", "bad.ttl:3: ", "not UTF-8"},
         {"{ \"@context\": {} }", "bad.ttl:1: ", "JSON is not read"},
         {"<!DOCTYPE html>\n<html><p>not found</p></html>", "bad.ttl:2: ", "the root element 'html' is neither RDF/XML"},
-        {"OFF\n8 6 0\n", "bad.ttl:1: ", "'OFF' begins no statement of Turtle"},
+        {"OFF\n8 6 0\n", "bad.ttl:1: ", "is no ontology; one in Turtle"},
     });
 }
 
