@@ -285,6 +285,12 @@ Opinion opinion(const std::string& name, const World& world, const Tuple& tuple)
         }
         return {least / diagonal, 2e-3};
     }
+    if (name == "margin") {
+        double least = std::numeric_limits<double>::infinity();
+        for (const Vec3& p : t.corners)
+            for (const int axis : {0, 1}) least = std::min({least, p[axis] - r.low[axis], r.high[axis] - p[axis]});
+        return {least / diagonal, exact};
+    }
     if (name == "foot rise") return {t.low.z() - r.high.z(), exact};
     if (name == "plan distance") return {plan_gap(t.corners, r.corners), 0.01};
     if (name == "middle distance") return {plan_gap({t.block.centre}, r.corners), 0.01};
