@@ -4,6 +4,8 @@
 // they show different parts, or when one surface, continued as a plane, misses the other by more than 2 % of the
 // object: both become a dark line. The mean of the four samples is the pixel: smooth edges and smooth lines.
 //
+// On a closed surface what faces away is hidden by what faces the camera, so it is left out.
+//
 // A band looks one sample beyond itself on each side, so its pixels depend on nothing outside of it. Only a band's own
 // triangles are set up at a time: memory is three numbers a vertex and one a triangle.
 
@@ -52,6 +54,22 @@ struct Lamps {
     }
 };
 
+/// Whether every edge runs as often one way as the other: a fingerprint per edge, added for one way and taken away for
+/// the other, leaves nothing (of surfaces that are open, one in 2^64 is taken for closed).
+bool is_closed(const TriangleMesh& mesh) {
+    std::uint64_t sum = 0;
+    for (const std::array<std::int32_t, 3>& corners : mesh.triangles)
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto from = static_cast<std::uint64_t>(corners[i]),
+                       to = static_cast<std::uint64_t>(corners[(i + 1) % 3]);
+            std::uint64_t edge = (std::min(from, to) << 32 | std::max(from, to)) * 0x9e3779b97f4a7c15U;
+            edge = (edge ^ edge >> 29) * 0xbf58476d1ce4e5b9U;
+            edge ^= edge >> 32;
+            sum += from < to ? edge : 0 - edge;
+        }
+    return sum == 0;
+}
+
 /// What is drawn: the mesh through the camera, its points in samples (two a pixel) of the frame.
 struct Scene {
     const TriangleMesh& mesh;
@@ -76,11 +94,19 @@ struct Scene {
             const double band = std::floor(row / (2 * band_height));
             return static_cast<std::size_t>(std::clamp(band, 0.0, static_cast<double>(bands.size() - 1)));
         };
+        const bool hides_its_back = is_closed(m);
         for (std::size_t t = 0; t < m.triangles.size(); ++t) {
+            if (hides_its_back && faces_away(t)) continue;
             const auto [low, high] = std::minmax({point(t, 0).y(), point(t, 1).y(), point(t, 2).y()});
             for (std::size_t band = band_of(low - 2); band <= band_of(high + 2); ++band)
                 bands[band].push_back(static_cast<std::int32_t>(t));
         }
+    }
+
+    /// Whether the corners, counter-clockwise from outside, run the other way round as seen (rows run downward).
+    [[nodiscard]] bool faces_away(std::size_t t) const {
+        const Vec3 &a = point(t, 0), &b = point(t, 1), &c = point(t, 2);
+        return (b.x() - a.x()) * (c.y() - a.y()) - (c.x() - a.x()) * (b.y() - a.y()) > 0;
     }
 
     [[nodiscard]] const Vec3& point(std::size_t t, std::size_t i) const {

@@ -1,5 +1,5 @@
-// All or nothing, in three steps: every file is made in memory; all of them are written into a temporary folder; then
-// they are renamed into place. The temporary folder of a folder that exists is made inside of it, so that both are on
+// All or nothing, in two steps: every file is made in memory and written into a temporary folder; then all of them are
+// renamed into place. The temporary folder of a folder that exists is made inside of it, so that both are on
 // one file system even when the folder is a mount point; a new folder is made beside its place and appears by one
 // rename. Files that are replaced wait in the temporary folder until the last rename has succeeded, and go back when
 // one fails.
@@ -14,7 +14,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <map>
+#include <iterator>
 #include <string_view>
 #include <system_error>
 
@@ -27,8 +27,6 @@ namespace partonomy {
 namespace {
 
 namespace fs = std::filesystem;
-
-using Files = std::map<std::string, std::string>;  ///< name -> bytes
 
 struct Format {
     std::string_view name, file;
@@ -86,9 +84,26 @@ void write_bytes(const fs::path& path, const std::string& bytes, const fs::path&
     if (!closed) fail(meant, std::strerror(errno));
 }
 
-void write_all_into(const fs::path& temporary, const Files& files, const fs::path& folder) {
-    for (const auto& [name, bytes] : files) write_bytes(temporary / name, bytes, folder / name);
-}
+/// The files that are asked for, and what they tell.
+struct Files {
+    std::vector<Format> formats;
+    const TriangleMesh& mesh;
+    const Annotation& annotation;
+    const Vec3& up;
+    const PreviewOptions& preview;
+
+    /// Makes them in `temporary`, each as soon as a thread is free; `meant` is the folder that errors name.
+    void write_into(const fs::path& temporary, const fs::path& meant) const {
+        for_each_range(
+            formats.size(), preview.threads,
+            [&](std::size_t begin, std::size_t end) {
+                for (std::size_t i = begin; i < end; ++i)
+                    write_bytes(temporary / formats[i].file, render(formats[i].name, mesh, annotation, up, preview),
+                                meant / formats[i].file);
+            },
+            1);
+    }
+};
 
 /// Renames that can be taken back.
 class Renames {
@@ -120,19 +135,19 @@ std::string temporary_name() {
 }
 
 void replace_in(const fs::path& folder, const Files& files) {
-    for (const auto& [name, bytes] : files) {
+    for (const Format& format : files.formats) {
         std::error_code ignored;
-        if (fs::is_directory(folder / name, ignored)) fail(folder / name, "a folder is in its place");
+        if (fs::is_directory(folder / format.file, ignored)) fail(folder / format.file, "a folder is in its place");
     }
     const TemporaryFolder temporary(folder / temporary_name(), folder);
     const TemporaryFolder old(temporary.path() / "old", folder);
-    write_all_into(temporary.path(), files, folder);
+    files.write_into(temporary.path(), folder);
     Renames renames;
-    for (const auto& [name, bytes] : files) {
+    for (const Format& format : files.formats) {
+        const fs::path place = folder / format.file;
         std::error_code ignored;
-        if (fs::exists(fs::symlink_status(folder / name, ignored)))
-            renames.rename(folder / name, old.path() / name, folder / name);
-        renames.rename(temporary.path() / name, folder / name, folder / name);
+        if (fs::exists(fs::symlink_status(place, ignored))) renames.rename(place, old.path() / format.file, place);
+        renames.rename(temporary.path() / format.file, place, place);
     }
 }
 
@@ -142,7 +157,7 @@ void make_new(const fs::path& folder, const Files& files) {
     fs::create_directories(parent, error);
     if (error) fail(folder, "its parent folder cannot be made: " + error.message());
     const TemporaryFolder temporary(folder.string() + temporary_name(), folder);
-    write_all_into(temporary.path(), files, folder);
+    files.write_into(temporary.path(), folder);
     fs::rename(temporary.path(), folder, error);
     if (error) fail(folder, error.message());
 }
@@ -166,18 +181,9 @@ void write_outputs(const fs::path& folder, const std::set<std::string>& formats,
                    const Annotation& annotation, const Vec3& up, const PreviewOptions& preview) {
     check_formats(formats);
     if (folder.empty()) throw UsageError("the output folder has no name");
-    Files files;
-    std::vector<std::pair<std::string_view, std::string*>> tasks;
-    for (const Format& format : known_formats)
-        if (formats.contains(std::string(format.name)))
-            tasks.emplace_back(format.name, &files[std::string(format.file)]);
-    for_each_range(
-        tasks.size(), preview.threads,
-        [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i)
-                *tasks[i].second = render(tasks[i].first, mesh, annotation, up, preview);
-        },
-        1);
+    Files files{{}, mesh, annotation, up, preview};
+    std::ranges::copy_if(known_formats, std::back_inserter(files.formats),
+                         [&](const Format& format) { return formats.contains(std::string(format.name)); });
     const fs::path place = folder.has_filename() ? folder : folder.parent_path();
     std::error_code error;
     const fs::file_status status = fs::status(place, error);
