@@ -170,7 +170,7 @@ private:
     }
 
     [[nodiscard]] PartRegion boxed(std::vector<std::int32_t> triangles) const {
-        PartBox box = measure_part(object_.mesh, object_.geometry, triangles);
+        PartBox box = measure_part(object_.mesh, object_.geometry, triangles, object_.is_noisy);
         return {{std::move(triangles), std::move(box.memberships)}, box.box, box.fit};
     }
 

@@ -113,6 +113,7 @@ void place(Object& object, const Placement& placement) {
 void cut(Object& object, int threads) {
     object.candidates =
         find_parts(object.mesh, {object.placement.up, threads, object.tree, object.is_scene}, &object.times);
+    object.is_noisy = std::ranges::any_of(object.candidates, &PartRegion::is_noisy);
     if (object.appearance) split_by_color(object);
 }
 

@@ -54,6 +54,7 @@ struct Object {
     double footprint = 0;                 ///< area of its shadow on the ground, without notches; squared file units
     bool is_scene = false;                ///< cut as a scene (FindPartsOptions), as knowledge::Domain says
     std::vector<PartRegion> candidates;   ///< box-like regions of find_parts: what every `find all` chooses from
+    bool is_noisy = false;                ///< whether finding them met noise: boxes end at walls, not at points
     StageTimes times;                     ///< of finding them
     std::shared_ptr<const RayTree> tree;  ///< of the mesh
     mutable std::shared_ptr<const CalmSurface> calm;  ///< once a question needed it: calm_surface

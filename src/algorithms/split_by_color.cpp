@@ -253,8 +253,8 @@ void split_by_color(Object& object) {
             continue;
         }
         for (Triangles& triangles : pieces) {
-            PartBox measured = measure_part(object.mesh, object.geometry, triangles);
-            result.push_back({{std::move(triangles), std::move(measured.memberships)}, measured.box, measured.fit});
+            PartBox measured = measure_part(object.mesh, object.geometry, triangles, object.is_noisy);
+            result.push_back({{std::move(triangles), std::move(measured.memberships)}, measured.box, measured.fit, object.is_noisy});
         }
     }
     std::ranges::sort(result, {}, [](const PartRegion& part) { return part.region.triangles.front(); });

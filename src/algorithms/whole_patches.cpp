@@ -57,7 +57,7 @@ std::map<std::size_t, PartRegion> keep_patches_whole(const Object& object, std::
         for (const std::int32_t t : triangles)
             if (part_of[static_cast<std::size_t>(t)] == static_cast<std::int32_t>(part)) mine.push_back(t);
         if (mine.empty()) continue;
-        PartBox box = measure_part(object.mesh, object.geometry, mine);
+        PartBox box = measure_part(object.mesh, object.geometry, mine, object.is_noisy);
         region = {{std::move(mine), std::move(box.memberships)}, box.box, box.fit};
     }
     return changed;

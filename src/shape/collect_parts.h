@@ -9,7 +9,8 @@ namespace partonomy {
 /// The regions of a cut mesh with their boxes: `part_of` is the number of each triangle's part, -1 for none. Regions
 /// are sorted by their lowest triangle.
 [[nodiscard]] std::vector<PartRegion> collect_parts(const TriangleMesh& mesh, const TriangleGeometry& geometry,
-                                                    const std::vector<std::int32_t>& part_of, int threads);
+                                                    const std::vector<std::int32_t>& part_of, bool is_noisy,
+                                                    int threads);
 
 /// Writes down how long each stage took.
 class StageClock {

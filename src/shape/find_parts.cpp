@@ -143,7 +143,7 @@ void connect(const TriangleMesh& mesh, const Adjacency& adjacency, const Triangl
 }  // namespace
 
 std::vector<PartRegion> collect_parts(const TriangleMesh& mesh, const TriangleGeometry& geometry,
-                                      const std::vector<std::int32_t>& part_of, int threads) {
+                                      const std::vector<std::int32_t>& part_of, bool is_noisy, int threads) {
     std::vector<std::int32_t> number;  // parts by their lowest triangle
     std::vector<PartRegion> regions;
     for (std::size_t i = 0; i < part_of.size(); ++i) {
@@ -161,10 +161,11 @@ std::vector<PartRegion> collect_parts(const TriangleMesh& mesh, const TriangleGe
         [&](std::size_t begin, std::size_t end) {
             for (std::size_t k = begin; k < end; ++k) {
                 PartRegion& part = regions[k];
-                PartBox measured = measure_part(mesh, geometry, part.region.triangles, threads);
+                PartBox measured = measure_part(mesh, geometry, part.region.triangles, is_noisy, threads);
                 part.region.memberships = std::move(measured.memberships);
                 part.box = measured.box;
                 part.fit = measured.fit;
+                part.is_noisy = is_noisy;
             }
         },
         1);
@@ -218,7 +219,7 @@ std::vector<PartRegion> find_parts(const TriangleMesh& mesh, const FindPartsOpti
     if (!is_refined) {
         connect(s.mesh, s.adjacency, s.geometry, parts.part_of);
         clock.done("vote");
-        std::vector<PartRegion> regions = collect_parts(s.mesh, s.geometry, parts.part_of, options.threads);
+        std::vector<PartRegion> regions = collect_parts(s.mesh, s.geometry, parts.part_of, was_rough, options.threads);
         clock.done("boxes");
         return regions;
     }
@@ -232,7 +233,7 @@ std::vector<PartRegion> find_parts(const TriangleMesh& mesh, const FindPartsOpti
     std::vector<std::int32_t> part_of = vote(s, parts.part_of);
     connect(measured, build_adjacency(mesh), geometry, part_of);
     clock.done("vote");
-    std::vector<PartRegion> regions = collect_parts(measured, geometry, part_of, options.threads);
+    std::vector<PartRegion> regions = collect_parts(measured, geometry, part_of, was_rough, options.threads);
     clock.done("boxes");
     return regions;
 }

@@ -11,12 +11,12 @@
 
 namespace partonomy {
 
-/// The lengths that `is a` judges. On a clean mesh they are the smallest box's; noise and a few stray triangles
-/// do not inflate them (each length is measured between the fitted walls, not between the extreme points).
+/// A part as `is a` judges it.
 struct PartRegion {
     Region region;
-    OrientedBox box;  ///< axes of the smallest box, lengths robust against noise
+    OrientedBox box;  ///< the smallest; on a noisy mesh from wall to wall, not from one outermost point to another
     double fit = 1;   ///< mean fitting score of the triangles, in [0, 1] (paper §6.4, Table 4)
+    bool is_noisy = false;  ///< whether the mesh is so rough that it had to be calmed
 };
 
 struct FindPartsOptions {

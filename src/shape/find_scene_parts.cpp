@@ -59,16 +59,18 @@ std::vector<PartRegion> find_scene_parts(const TriangleMesh& mesh, const FindPar
         1);
     std::vector<std::int32_t> part_of(mesh.triangles.size());
     std::int32_t count = 0;
+    bool is_noisy = false;
     for (std::size_t k = 0; k < pieces.size(); ++k) {
         for (const std::int32_t t : pieces[k].triangles) part_of[t] = count;  // what is in no part of it stays together
         ++count;
         for (const PartRegion& part : parts[k]) {
             for (const std::int32_t t : part.region.triangles) part_of[pieces[k].triangles[t]] = count;
+            is_noisy |= part.is_noisy;
             ++count;
         }
     }
     clock.done("parts of pieces");
-    std::vector<PartRegion> regions = collect_parts(mesh, geometry, part_of, options.threads);
+    std::vector<PartRegion> regions = collect_parts(mesh, geometry, part_of, is_noisy, options.threads);
     clock.done("boxes");
     return regions;
 }

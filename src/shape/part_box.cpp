@@ -1,12 +1,16 @@
 // Box lengths that noise does not inflate, and the fitting score of paper §6.4.
 //
-// The smallest box gives the axes. The pair of its sides that most of the part faces tells how rough the part is: how
-// far the triangles that face these sides lie from a plane through them, on average. A part that is flat there (a
-// two-hundredth of the length) keeps the smallest box exactly, whatever its outline: a triangular board has slanted
-// sides, no noise. Otherwise each side is looked at as a wall: the triangles that face that way, and the area-weighted
-// median of how far out they are. Where the outermost point is hardly farther out than the wall (a fiftieth of the
-// length), the side stays; else the axes are turned to the mean normals of the walls, and the walls count. A side
-// without a wall (the end of a leg that goes on as a seat) is where nearly all of the area ends.
+// The smallest box gives the axes, and on a clean mesh the lengths. On a noisy mesh, the pair of its sides that most of
+// the part faces tells how rough the part is: how far the triangles that face these sides lie from a plane through
+// them, on average. A part that is flat there (a two-hundredth of the length) keeps the smallest box exactly, whatever
+// its outline: a triangular board has slanted sides, no noise. Otherwise each side is looked at as a wall: the
+// triangles that face that way, and the area-weighted median of how far out they are. Where the outermost point is
+// hardly farther out than the wall (a fiftieth of the length), the side stays; else the axes are turned to the mean
+// normals of the walls, and the walls count. A side without a wall (the end of a leg that goes on as a seat, the tip of
+// a cone) is where the area ends: the places beyond which a two-hundredth and a fiftieth of it lie show how it thins
+// out, and the end is as far beyond the first as that is beyond the second. This is the tip of a cone exactly, and a
+// hundredth beyond the end of a stick at most, but no farther than the outermost point; a spike has no such area.
+// Triangles that are long beside the part count in pieces, for one that runs from end to end is not all in its middle.
 //
 // The fitting score of a triangle looks for the best of the six sides. Its distance d from the side's plane, relative
 // to the size of the part's cross-section w = sqrt(l1 l2), scores 1 up to d = 0.12 w and falls to 0 at d = 0.7 w; the
@@ -36,7 +40,8 @@ constexpr double rounding = 1e-7;  // of the longest side
 constexpr double hardly_farther = 0.02;
 constexpr double least_wall_share = 0.04;  // of the part's area: less facing one way is no wall
 constexpr std::size_t most_samples = 3000;
-constexpr double end_quantile = 0.995;
+constexpr double end_quantile = 0.995, thinning_quantile = 0.98;
+constexpr int most_pieces = 100;  // of a triangle that is as long as the part
 const double facing_cosine = std::cos(40 * std::numbers::pi / 180);
 const double slanted_cosine = std::cos(15 * std::numbers::pi / 180);
 constexpr double least_membership = 0.001;  // a triangle of the part is not outside of it
@@ -88,8 +93,8 @@ private:
 class Measurer {
 public:
     Measurer(const TriangleMesh& mesh, const TriangleGeometry& geometry, const std::vector<std::int32_t>& triangles,
-             int threads)
-        : geometry_(geometry), triangles_(triangles), threads_(threads) {
+             bool is_noisy, int threads)
+        : mesh_(mesh), geometry_(geometry), triangles_(triangles), is_noisy_(is_noisy), threads_(threads) {
         const std::vector<std::int32_t> corners = corners_of(mesh, triangles);
         points_.reserve(corners.size());
         for (const std::int32_t v : corners) points_.push_back(mesh.positions[v]);
@@ -106,7 +111,7 @@ public:
         const Vec3 middle = box.axes.transpose() * box.centre;
         Sides outer{middle - box.lengths / 2, middle + box.lengths / 2};
         if (!(area_ > 0)) return {box, 1, std::vector<float>(triangles_.size(), 1.0F)};
-        if (!is_rough(box.axes, outer)) return fit(box);
+        if (!is_noisy_ || !is_rough(box.axes, outer)) return fit(box);
         Sides sides = walls(box.axes, outer);
         if (sides.is_noisy) {
             const Eigen::Matrix3d axes = mean_axes(box.axes);
@@ -152,7 +157,7 @@ private:
         for (int k = 0; k < 3; ++k)
             for (const int sign : {-1, 1}) {
                 double& side = sign > 0 ? sides.high[k] : sides.low[k];
-                const double place = wall(sign * axes.col(k), sign * side);
+                const double place = wall(sign * axes.col(k), sign * side, outer.high[k] - outer.low[k]);
                 if (std::abs(side - sign * place) > hardly_farther * (outer.high[k] - outer.low[k])) {
                     side = sign * place;
                     sides.is_noisy = true;
@@ -161,9 +166,9 @@ private:
         return sides;
     }
 
-    /// How far out the wall is that faces `direction`; `outermost` when the wall is slanted, for then its far end
-    /// counts.
-    [[nodiscard]] double wall(const Vec3& direction, double outermost) {
+    /// How far out the wall is that faces `direction`, along which the part is `length` long; `outermost` when the wall
+    /// is slanted, for then its far end counts.
+    [[nodiscard]] double wall(const Vec3& direction, double outermost, double length) {
         facing_.clear();
         Patch patch;
         for (const std::int32_t t : samples_)
@@ -174,9 +179,34 @@ private:
         if (patch.area >= least_wall_share * sampled_area_)
             return patch.is_slanted(direction) ? outermost : quantile(facing_, 0.5);
         facing_.clear();
-        for (const std::int32_t t : samples_)
-            facing_.emplace_back(geometry_.barycentres[t].dot(direction), geometry_.areas[t]);
-        return quantile(facing_, end_quantile);
+        for (const std::int32_t t : samples_) spread(t, direction, length);
+        const double end = quantile(facing_, end_quantile);
+        return std::min(outermost, 2 * end - quantile(facing_, thinning_quantile));
+    }
+
+    /// Adds where the area of a triangle lies along a direction: in one place, or in many when it is long.
+    void spread(std::int32_t t, const Vec3& direction, double length) {
+        const double area = geometry_.areas[t];
+        std::array<double, 3> at;
+        for (int k = 0; k < 3; ++k) at[k] = mesh_.positions[mesh_.triangles[t][k]].dot(direction);
+        std::sort(at.begin(), at.end());
+        const auto& [a, b, c] = at;
+        if (!(c - a > length / most_pieces)) {
+            facing_.emplace_back((a + b + c) / 3, area);
+            return;
+        }
+        const auto share_below = [&](double x) {
+            return x < b   ? (x - a) * (x - a) / ((b - a) * (c - a))
+                   : c > b ? 1 - (c - x) * (c - x) / ((c - b) * (c - a))
+                           : 1.0;
+        };
+        const int pieces = std::min(most_pieces, 1 + static_cast<int>(most_pieces * (c - a) / length));
+        double below = 0;
+        for (int k = 1; k <= pieces; ++k) {
+            const double share = k == pieces ? 1 : share_below(a + k * (c - a) / pieces);
+            facing_.emplace_back(a + (k - 0.5) * (c - a) / pieces, (share - below) * area);
+            below = share;
+        }
     }
 
     /// The axes turned to the mean normals of the walls, the axis with most wall first.
@@ -252,8 +282,10 @@ private:
         return best;
     }
 
+    const TriangleMesh& mesh_;
     const TriangleGeometry& geometry_;
     const std::vector<std::int32_t>& triangles_;
+    bool is_noisy_;
     int threads_;
     std::vector<std::int32_t> samples_;  ///< what walls are measured on: medians need no more
     std::vector<Vec3> points_;
@@ -264,8 +296,8 @@ private:
 }  // namespace
 
 PartBox measure_part(const TriangleMesh& mesh, const TriangleGeometry& geometry,
-                     const std::vector<std::int32_t>& triangles, int threads) {
-    return Measurer(mesh, geometry, triangles, threads).measure();
+                     const std::vector<std::int32_t>& triangles, bool is_noisy, int threads) {
+    return Measurer(mesh, geometry, triangles, is_noisy, threads).measure();
 }
 
 }  // namespace partonomy

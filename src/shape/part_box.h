@@ -14,8 +14,9 @@ struct PartBox {
     std::vector<float> memberships;  ///< fitting score of each triangle, in (0, 1]
 };
 
-/// threads <= 0: all cores; the same on any number.
+/// On a noisy mesh the sides of the box are where the walls are, not where the outermost points are. threads <= 0: all
+/// cores; the same on any number.
 [[nodiscard]] PartBox measure_part(const TriangleMesh& mesh, const TriangleGeometry& geometry,
-                                   const std::vector<std::int32_t>& triangles, int threads = 1);
+                                   const std::vector<std::int32_t>& triangles, bool is_noisy, int threads = 1);
 
 }  // namespace partonomy

@@ -68,7 +68,7 @@ struct Whole {
         for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
             if (holds(t)) part.region.triangles.push_back(static_cast<std::int32_t>(t));
         part.region.memberships.assign(part.region.triangles.size(), 1.0F);
-        part.box = measure_part(object.mesh, object.geometry, part.region.triangles).box;
+        part.box = measure_part(object.mesh, object.geometry, part.region.triangles, object.is_noisy).box;
         measured = measure_region(object, part);
     }
     [[nodiscard]] double score(const std::string& value) const {
@@ -124,7 +124,7 @@ std::vector<Known> known_shapes() {
     add("tapered square stick", sweep(rectangle(0.6, 0.6, s), 3, s, shrinking(3, 0.4)),
         {"Angular", "Tapered", "Straight", "Solid"});
     add("bent round stick", sweep(ellipse(0.18, 0.18, s), 3, s, along_arc(3, 60)), {"Round", "Even", "Bent", "Solid"});
-    add("bent square stick", sweep(rectangle(0.35, 0.35, s), 3, s, along_arc(3, 60)),
+    add("bent square stick", sweep(rectangle(0.35, 0.35, s), 3, s, along_arc(3, 50)),
         {"Angular", "Even", "Bent", "Solid"});
     add("board", sweep(rectangle(2, 1.4, s), 0.2, s),
         {"Angular", "Even", "Straight", "Solid", "MirrorSymmetric", "TurnSymmetric", "Level", "Rectangle"});

@@ -87,6 +87,7 @@ public:
     void move(const Motion& motion, std::mt19937& random) {
         const double size = compute_bounds(object.mesh).diagonal();
         std::normal_distribution<double> shake(0, motion.noise * size / std::sqrt(3.0));
+        object.is_noisy = motion.noise > 0;
         const Eigen::AngleAxisd turn(motion.degrees * std::numbers::pi / 180, Vec3::UnitZ());
         for (Vec3& p : object.mesh.positions) {
             if (motion.noise > 0) p += Vec3(shake(random), shake(random), shake(random));
@@ -95,7 +96,8 @@ public:
     }
     void finish() {
         object.geometry = compute_geometry(object.mesh);
-        for (PartRegion& part : parts) part.box = measure_part(object.mesh, object.geometry, part.region.triangles).box;
+        for (PartRegion& part : parts)
+            part.box = measure_part(object.mesh, object.geometry, part.region.triangles, object.is_noisy).box;
         scene = scene_of(object);
         places.clear();
         for (const PartRegion& part : parts) places.push_back(place_of(scene, part));

@@ -256,7 +256,7 @@ TEST(Derived, PartsThatBelongTogetherAreMerged) {
             (object.geometry.barycentres[static_cast<std::size_t>(t)].x() < 0 ? left : right).push_back(t);
         for (std::vector<std::int32_t>* half : {&left, &right}) {
             if (half->empty()) continue;
-            const PartBox box = measure_part(object.mesh, object.geometry, *half);
+            const PartBox box = measure_part(object.mesh, object.geometry, *half, object.is_noisy);
             parts.push_back({{*half, box.memberships}, box.box, box.fit});
         }
     }

@@ -296,7 +296,7 @@ TEST(Relations, MeasuresOfBoxes) {
     std::vector<RegionPlace> places;
     const Scene scene = scene_of(object);
     for (PartRegion& part : parts) {
-        part.box = measure_part(object.mesh, object.geometry, part.region.triangles).box;
+        part.box = measure_part(object.mesh, object.geometry, part.region.triangles, object.is_noisy).box;
         places.push_back(place_of(scene, part));
     }
     const RegionPlace *a = &places[0], *b = &places[1], *c = &places[2];
