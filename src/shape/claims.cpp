@@ -226,7 +226,7 @@ bool on_rim(const Surface& s, const Parts& parts, std::int32_t board, const Fram
     const Vec3 inside = s.geometry.barycentres[i] - s.geometry.normals[i] * (0.5 * f.half);
     double way = 0;
     for (const double side : {1.0, -1.0}) {
-        const WallHit hit = s.scene->exit_wall({inside, side * f.normal});
+        const WallHit hit = s.scene->exit_wall({inside, side * f.normal, -1, i});
         if (hit.triangle < 0 || parts.part_of[hit.triangle] != board) return false;
         way += hit.distance;
     }

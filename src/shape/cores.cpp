@@ -30,43 +30,17 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <numbers>
 #include <numeric>
 
 #include "base/ranges.h"
 #include "shape/plain_pieces.h"
+#include "shape/sets.h"
 
 namespace partonomy {
 
 namespace {
-
-/// Sets of triangles that grow together; the lowest number stands for its set, so the order of joining does not matter,
-/// and several threads may join at once: a link always leads to a lower number.
-class Sets {
-public:
-    explicit Sets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
-    std::int32_t find(std::int32_t i) {
-        for (std::int32_t up = parent(i).load(relaxed); up != i; up = parent(i).load(relaxed)) {
-            const std::int32_t above = parent(up).load(relaxed);
-            if (above != up) parent(i).compare_exchange_weak(up, above, relaxed);
-            i = above;
-        }
-        return i;
-    }
-    void join(std::int32_t a, std::int32_t b) {
-        for (a = find(a), b = find(b); a != b; a = find(a), b = find(b)) {
-            std::int32_t high = std::max(a, b);
-            if (parent(high).compare_exchange_strong(high, std::min(a, b), relaxed)) return;
-        }
-    }
-
-private:
-    static constexpr std::memory_order relaxed = std::memory_order_relaxed;
-    std::atomic_ref<std::int32_t> parent(std::int32_t i) { return std::atomic_ref<std::int32_t>(parent_[i]); }
-    std::vector<std::int32_t> parent_;
-};
 
 const double parallel_cosine = std::cos(30 * std::numbers::pi / 180);
 const double slanted_cosine = std::cos(65 * std::numbers::pi / 180);
@@ -103,8 +77,8 @@ Chords chords_around(const Surface& s, std::int32_t t) {
     for (std::size_t k = 0; k < lines; ++k) {
         const double angle = std::numbers::pi * static_cast<double>(k) / lines;
         const Vec3 d = std::cos(angle) * x + std::sin(angle) * y;
-        rays[k] = {middle, d};
-        rays[k + lines] = {middle, -d};
+        rays[k] = {middle, d, -1, t};
+        rays[k + lines] = {middle, -d, -1, t};
     }
     s.scene->exit_walls(rays, hits);
     for (std::size_t k = 0; k < lines; ++k) {
@@ -128,8 +102,8 @@ Chords chords_through_middle(const Surface& s, std::int32_t t, double& thickness
     const Vec3 n = s.geometry.normals[t], x = chords.along.cross(n);
     Vec3 middle = s.geometry.barycentres[t] - n * (s.thickness.distances[t] / 2);
     const auto centre = [&](const Vec3& d) {
-        const double ahead = std::min<double>(s.scene->exit_wall({middle, d}).distance, s.size);
-        const double behind = std::min<double>(s.scene->exit_wall({middle, -d}).distance, s.size);
+        const double ahead = std::min<double>(s.scene->exit_wall({middle, d, -1, t}).distance, s.size);
+        const double behind = std::min<double>(s.scene->exit_wall({middle, -d, -1, t}).distance, s.size);
         middle += d * ((ahead - behind) / 2);
         return ahead + behind;
     };

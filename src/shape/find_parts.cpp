@@ -26,6 +26,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 
 #include "base/ranges.h"
@@ -35,8 +36,10 @@
 #include "shape/collect_parts.h"
 #include "shape/cores.h"
 #include "shape/find_scene_parts.h"
+#include "shape/find_solids.h"
 #include "shape/part_box.h"
 #include "shape/refine.h"
+#include "shape/sets.h"
 #include "shape/surface.h"
 
 namespace partonomy {
@@ -70,10 +73,47 @@ std::vector<std::int32_t> vote(const Surface& s, const std::vector<std::int32_t>
 
 constexpr double least_share = 1e-3;  // of the surface: smaller shells without a part stay without
 
-/// Keeps the largest piece of each part and gives smaller ones to the neighbour with the longest common border; pieces
-/// without a neighbour (separate shells) stay, as parts of their own, and so do shells in which no part was found: they
-/// may be sheets.
-void connect(const TriangleMesh& mesh, const Adjacency& adjacency, const TriangleGeometry& geometry,
+/// Pieces of one part that are one through the solid: the two sides of a thin sheet within one shell, as the floor of a
+/// mug and its underside are, and the panel of a door and what is seen of it from behind.
+Sets join_facing(const Surface& s, const Adjacency& adjacency, const std::vector<std::int32_t>& part_of,
+                 const std::vector<std::int32_t>& piece_of, std::size_t pieces) {
+    constexpr double facing = 0.5;  // of a piece's area
+    constexpr double thin = 0.15;   // of the piece's width
+    Sets shells(pieces), sheets(pieces);
+    for (std::size_t i = 0; i < piece_of.size(); ++i)
+        for (const std::int32_t j : adjacency.neighbours[i])
+            if (j >= 0 && piece_of[j] != piece_of[i]) shells.join(piece_of[i], piece_of[j]);
+    struct Faced {
+        double area = 0, volume = 0;
+    };
+    std::vector<double> area(pieces, 0.0);
+    std::map<std::pair<std::int32_t, std::int32_t>, Faced> seen;
+    const bool is_refined = part_of.size() != s.count();
+    const auto caller = [&](std::size_t i) {
+        return is_refined ? s.mesh.input_faces[i] : static_cast<std::int32_t>(i);
+    };
+    for (std::size_t i = 0; i < s.count(); ++i) {
+        const std::int32_t own = caller(i), o = s.thickness.opposites[i];
+        area[piece_of[own]] += s.geometry.areas[i];
+        if (o < 0 || part_of[own] < 0) continue;
+        const std::int32_t other = caller(static_cast<std::size_t>(o)), a = piece_of[own], b = piece_of[other];
+        if (a == b || part_of[other] != part_of[own] || shells.find(a) != shells.find(b)) continue;
+        Faced& faced = seen[{a, b}];
+        faced.area += s.geometry.areas[i];
+        faced.volume += s.geometry.areas[i] * s.thickness.distances[i];
+    }
+    for (const auto& [pair, faced] : seen) {
+        const double whole = area[pair.first];
+        if (faced.area > facing * whole && faced.volume < thin * faced.area * std::sqrt(whole))
+            sheets.join(pair.first, pair.second);
+    }
+    return sheets;
+}
+
+/// Keeps the largest piece of each part, with those that are one with it through the solid, and gives the others to the
+/// neighbour with the longest common border; pieces without a neighbour (separate shells) stay, as parts of their own,
+/// and so do shells in which no part was found: they may be sheets.
+void connect(const Surface& s, const TriangleMesh& mesh, const Adjacency& adjacency, const TriangleGeometry& geometry,
              std::vector<std::int32_t>& part_of) {
     const double total = std::accumulate(geometry.areas.begin(), geometry.areas.end(), 0.0);
     for (int round = 0; round < 8; ++round) {
@@ -100,17 +140,26 @@ void connect(const TriangleMesh& mesh, const Adjacency& adjacency, const Triangl
         }
         std::int32_t parts = 0;
         for (const std::int32_t part : part_of) parts = std::max(parts, part + 1);
-        std::vector<std::int32_t> largest(parts, -1);
+        std::vector<std::int32_t> owners;
+        for (const std::vector<std::int32_t>& piece : pieces)
+            if (const std::int32_t part = part_of[piece.front()]; part >= 0) owners.push_back(part);
+        std::sort(owners.begin(), owners.end());
+        const bool is_whole = std::adjacent_find(owners.begin(), owners.end()) == owners.end();
+        Sets sheets = is_whole ? Sets(pieces.size()) : join_facing(s, adjacency, part_of, piece_of, pieces.size());
+        const auto set_of = [&](std::size_t piece) { return sheets.find(static_cast<std::int32_t>(piece)); };
+        std::vector<double> set_area(pieces.size(), 0.0);
+        for (std::size_t k = 0; k < pieces.size(); ++k) set_area[set_of(k)] += area[k];
+        std::vector<std::int32_t> largest(parts, -1);  // set of pieces
         for (std::size_t k = 0; k < pieces.size(); ++k) {
             const std::int32_t part = part_of[pieces[k].front()];
-            if (part >= 0 && (largest[part] < 0 || area[k] > area[largest[part]]))
-                largest[part] = static_cast<std::int32_t>(k);
+            if (part >= 0 && (largest[part] < 0 || set_area[set_of(k)] > set_area[largest[part]]))
+                largest[part] = set_of(k);
         }
         bool changed = false;
         const std::vector<std::int32_t> before = part_of;
         for (std::size_t k = 0; k < pieces.size(); ++k) {
             const std::int32_t part = before[pieces[k].front()];
-            if (part >= 0 && largest[part] == static_cast<std::int32_t>(k)) continue;
+            if (part >= 0 && largest[part] == set_of(k)) continue;
             std::vector<std::pair<std::int32_t, double>> borders;
             for (const std::int32_t i : pieces[k])
                 for (int e = 0; e < 3; ++e) {
@@ -138,6 +187,15 @@ void connect(const TriangleMesh& mesh, const Adjacency& adjacency, const Triangl
         }
         if (!changed) break;
     }
+}
+
+/// The solids of the mesh that rays meet: the fine one, or the caller's.
+std::vector<std::int32_t> solids_of(const Surface& s, const TriangleMesh* callers) {
+    std::vector<std::int32_t> fine = find_solids(s.mesh, s.adjacency);
+    if (fine.empty() || callers == nullptr || callers->triangles.size() == fine.size()) return fine;
+    std::vector<std::int32_t> solids(callers->triangles.size(), -1);
+    for (std::size_t i = 0; i < fine.size(); ++i) solids[s.mesh.input_faces[i]] = fine[i];
+    return solids;
 }
 
 }  // namespace
@@ -199,6 +257,7 @@ std::vector<PartRegion> find_parts(const TriangleMesh& mesh, const FindPartsOpti
     // A calmed mesh is another one: the caller's triangles are no longer what rays should meet.
     s.scene = was_rough ? std::make_unique<RayScene>(s.mesh, options.threads)
                         : std::make_unique<RayScene>(mesh, options.tree, &refinement, options.threads);
+    s.scene->tell_apart(solids_of(s, was_rough ? nullptr : &mesh));
     if (was_rough || !options.tree) clock.done("tree");
     s.thickness = measure_thickness(*s.scene, s.geometry, options.threads);
     clock.done("rays");
@@ -217,7 +276,7 @@ std::vector<PartRegion> find_parts(const TriangleMesh& mesh, const FindPartsOpti
     if (!is_refined) settle_borders(s, parts);
     clock.done("settle");
     if (!is_refined) {
-        connect(s.mesh, s.adjacency, s.geometry, parts.part_of);
+        connect(s, s.mesh, s.adjacency, s.geometry, parts.part_of);
         clock.done("vote");
         std::vector<PartRegion> regions = collect_parts(s.mesh, s.geometry, parts.part_of, was_rough, options.threads);
         clock.done("boxes");
@@ -231,7 +290,7 @@ std::vector<PartRegion> find_parts(const TriangleMesh& mesh, const FindPartsOpti
     const TriangleMesh& measured = was_rough ? calmed : mesh;
     const TriangleGeometry geometry = compute_geometry(measured);
     std::vector<std::int32_t> part_of = vote(s, parts.part_of);
-    connect(measured, build_adjacency(mesh), geometry, part_of);
+    connect(s, measured, build_adjacency(mesh), geometry, part_of);
     clock.done("vote");
     std::vector<PartRegion> regions = collect_parts(measured, geometry, part_of, was_rough, options.threads);
     clock.done("boxes");

@@ -45,8 +45,13 @@ struct RayScene::Met {
 };
 
 std::optional<WallHit> RayScene::judge(const InnerRay& ray, const Met& met) const {
-    const std::int32_t self = refinement_ && ray.self >= 0 ? refinement_->mesh.input_faces[ray.self] : ray.self;
+    const auto caller = [&](std::int32_t i) { return refinement_ && i >= 0 ? refinement_->mesh.input_faces[i] : i; };
+    const std::int32_t self = caller(ray.self);
     if (met.triangle == self) return std::nullopt;
+    if (const std::int32_t start = self >= 0 ? self : caller(ray.near); !solids_.empty() && start >= 0) {
+        const std::int32_t own = solids_[start], other = solids_[met.triangle];
+        if (own >= 0 && other >= 0 && own != other) return std::nullopt;
+    }
     const auto& triangle = mesh_.triangles[met.triangle];
     const Vec3& a = mesh_.positions[triangle[0]];
     const Vec3 normal = (mesh_.positions[triangle[1]] - a).cross(mesh_.positions[triangle[2]] - a);

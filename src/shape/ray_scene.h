@@ -4,6 +4,8 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "mesh/triangle_mesh.h"
 #include "shape/ray_tree.h"
@@ -21,6 +23,7 @@ struct WallHit {
 struct InnerRay {
     Vec3 origin, direction;  ///< of unit length
     std::int32_t self = -1;  ///< triangle that it starts on and passes, -1 for none
+    std::int32_t near = -1;  ///< without self: a triangle of the solid that it travels in, -1 when that is not known
 };
 
 /// Rays that travel inside the solid that a mesh bounds.
@@ -33,6 +36,10 @@ public:
     /// large triangles of `mesh`, but `self` and hits are told in the small ones of the refinement, which must outlive
     /// this.
     RayScene(const TriangleMesh& mesh, std::shared_ptr<const RayTree> tree, const Refinement* refinement, int threads);
+
+    /// Tells solids apart: a number for each triangle of the mesh, -1 where it bounds no solid of its own. A ray in one
+    /// solid passes the walls of others, as the end of a handle does that reaches into the wall of a mug.
+    void tell_apart(std::vector<std::int32_t> solids) { solids_ = std::move(solids); }
 
     /// The first wall that the ray leaves the solid through: the triangle's front looks along `direction`. Walls met
     /// from outside and the triangle that the ray starts on are passed.
@@ -49,6 +56,7 @@ private:
     const TriangleMesh& mesh_;
     std::shared_ptr<const RayTree> tree_;
     const Refinement* refinement_;
+    std::vector<std::int32_t> solids_;  ///< empty: one for all
 };
 
 }  // namespace partonomy
