@@ -241,7 +241,7 @@ Catalogue make_catalogue(const Domain& domain) {
     return catalogue;
 }
 
-Catalogue make_core_catalogue() {
+knowledge::Domain make_core_domain() {
     Domain domain;
     domain.ontology = owl::parse_ontology(owl::core_ontology_text(), "core.ttl");
     domain.ranges = knowledge::find_ranges(domain.ontology);
@@ -264,8 +264,10 @@ Catalogue make_core_catalogue() {
                                             static_cast<int>(r),
                                             owl::named_class(domain.relations[r].iri)});
     }
-    return make_catalogue(domain);
+    return domain;
 }
+
+Catalogue make_core_catalogue() { return make_catalogue(make_core_domain()); }
 
 std::optional<double> is_a(const Domain& domain, const Catalogue& catalogue, Question question, const Object& object,
                            const RegionMeasurements& region) {

@@ -40,8 +40,8 @@ struct ElementaryAlgorithm {
 };
 
 /// All elementary algorithms for a domain: an `is a` for every elementary concept with criteria and every number that
-/// axioms mention, a `find all` for the box shapes and for colours and derived ones for other concepts, a T and a TF for
-/// every statement about relations all of which have criteria.
+/// axioms mention, a `find all` for the box shapes and for colours and derived ones for other concepts, a T and a TF
+/// for every statement about relations all of which have criteria.
 struct Catalogue {
     std::vector<ElementaryAlgorithm> algorithms;
     [[nodiscard]] const ElementaryAlgorithm* find(Signature signature, knowledge::Question question) const;
@@ -56,8 +56,11 @@ struct Catalogue {
 /// name), combines measures that do not go together, or names one of another number of regions than the relation's.
 [[nodiscard]] Catalogue make_catalogue(const knowledge::Domain& domain);
 
-/// The algorithms for all elementary concepts and relations of the built-in core ontology, whether or not a domain uses
-/// them.
+/// All elementary concepts and relations of the built-in core ontology, with one statement about each relation: that
+/// there is one. It has neither parts nor objects.
+[[nodiscard]] knowledge::Domain make_core_domain();
+
+/// The algorithms for that domain: all that there are, whether or not an ontology uses them.
 [[nodiscard]] Catalogue make_core_catalogue();
 
 /// Score in [0, 1] of "the region is what the question says": >= 0.5 means yes. nullopt when nothing can tell: no

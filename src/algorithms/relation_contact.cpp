@@ -96,22 +96,22 @@ void collect_contacts(const RegionPlace& place, const TriangleTree& one, const T
     });
 }
 
-/// The largest distance of two points; of very many points nearly so: each sweep goes to the furthest from where the
-/// last one ended.
-double extent(const std::vector<Vec3>& points) {
-    constexpr std::size_t many = 2000;
-    double longest = 0;
-    std::size_t at = 0;
-    for (std::size_t sweep = 0; sweep < (points.size() > many ? 6 : points.size()); ++sweep) {
-        if (points.size() <= many) at = sweep;
-        std::size_t furthest = at;
-        for (std::size_t i = 0; i < points.size(); ++i)
-            if ((points[i] - points[at]).squaredNorm() > longest) {
-                longest = (points[i] - points[at]).squaredNorm();
-                furthest = i;
-            }
-        at = furthest;
+/// The largest distance of two points; of very many that of the outermost ones in 64 directions, 2 % too short at most.
+double extent(std::vector<Vec3> points) {
+    constexpr std::size_t many = 500, ways = 64;
+    if (points.size() > many) {
+        std::vector<Vec3> outermost;
+        for (std::size_t k = 0; k < ways; ++k) {  // evenly over half a sphere, along a spiral
+            const double z = (static_cast<double>(k) + 0.5) / ways, turn = 2.399963 * static_cast<double>(k);
+            const Vec3 way(std::sqrt(1 - z * z) * std::cos(turn), std::sqrt(1 - z * z) * std::sin(turn), z);
+            const auto [low, high] = std::ranges::minmax_element(points, {}, [&](const Vec3& p) { return p.dot(way); });
+            outermost.insert(outermost.end(), {*low, *high});
+        }
+        points = std::move(outermost);
     }
+    double longest = 0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) longest = std::max(longest, (points[i] - points[j]).squaredNorm());
     return std::sqrt(longest);
 }
 
@@ -122,7 +122,7 @@ std::optional<double> contact(const Scene& scene, Regions r) {
     collect_contacts(*r[1], a, b, reach, points);
     collect_contacts(*r[0], b, a, reach, points);
     const double longest_side = std::min(r[0]->part->box.lengths[0], r[1]->part->box.lengths[0]);
-    return points.empty() || !(longest_side > 0) ? 0 : extent(points) / longest_side;
+    return points.empty() || !(longest_side > 0) ? 0 : extent(std::move(points)) / longest_side;
 }
 
 Interval contact_range(const Scene& scene, Surrounds s) {

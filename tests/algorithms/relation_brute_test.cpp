@@ -2,6 +2,8 @@
  * tuples of random scenes; T against the trapezoids of all its measures, without shortcuts; and what each measure tells
  * of whole groups of regions against its values on them. */
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include <map>
@@ -9,6 +11,7 @@
 #include "algorithms/solids.h"
 #include "knowledge/theory.h"
 #include "shape/membership.h"
+#include "shape/solids.h"
 
 namespace partonomy {
 namespace {
@@ -26,15 +29,19 @@ struct Sampled {
     std::vector<double> weights;        ///< of points: areas
     Vec3 low = Vec3::Constant(1e300), high = Vec3::Constant(-1e300), mean = Vec3::Zero();
     Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
-    Block block;
+    Block block;          ///< its smallest box
+    bool is_box = true;   ///< it fills the box; else triangles are small and tell what it is
+    bool is_even = true;  ///< its middle is that of the box
 };
 
-Sampled sample(std::vector<std::array<Vec3, 3>> triangles, const Block& block) {
+Sampled sample(std::vector<std::array<Vec3, 3>> triangles, const Block& block, bool is_box, bool is_even) {
     Sampled s;
     s.triangles = std::move(triangles);
     s.block = block;
+    s.is_box = is_box;
+    s.is_even = is_even;
     double area = 0;
-    constexpr int steps = 16;
+    const int steps = is_box ? 16 : 3;
     for (const auto& t : s.triangles) {
         const double part = (t[1] - t[0]).cross(t[2] - t[0]).norm() / 2 / (steps * steps);
         for (const Vec3& corner : t) {
@@ -62,6 +69,31 @@ Sampled sample(std::vector<std::array<Vec3, 3>> triangles, const Block& block) {
 double to_wall(const Block& block, const Vec3& point) {
     const Vec3 p = (block.axes.transpose() * (point - block.centre)).cwiseAbs() - block.half;
     return p.maxCoeff() > 0 ? p.cwiseMax(0.0).norm() : -p.maxCoeff();
+}
+
+double to_segment(const Vec3& a, const Vec3& b, const Vec3& p) {
+    return (p - a - std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0) * (b - a)).norm();
+}
+
+double to_triangle(const std::array<Vec3, 3>& t, const Vec3& p) {
+    const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]).normalized();
+    bool is_over = true;
+    double least = 1e300;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Vec3 &a = t[i], &b = t[(i + 1) % 3];
+        is_over = is_over && normal.dot((b - a).cross(p - a)) >= 0;
+        least = std::min(least, to_segment(a, b, p));
+    }
+    return is_over ? std::abs(normal.dot(p - t[0])) : least;
+}
+
+/// Any number from `enough` on where it is not nearer than that.
+double to_surface(const Sampled& region, const Vec3& p, double enough) {
+    if (region.is_box) return to_wall(region.block, p);
+    if ((region.low - p).cwiseMax(p - region.high).cwiseMax(0.0).norm() >= enough) return enough;
+    double least = 1e300;
+    for (const auto& triangle : region.triangles) least = std::min(least, to_triangle(triangle, p));
+    return least;
 }
 
 /// All that a second opinion looks at.
@@ -134,9 +166,9 @@ double plan_gap(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
 void contacts(const Sampled& one, const Sampled& other, double reach, std::vector<Vec3>& points) {
     for (const auto& t : one.triangles)
         for (std::size_t i = 0; i < 3; ++i)
-            for (int k = 0; k <= 200; ++k) {
-                const Vec3 p = t[i] + k / 200.0 * (t[(i + 1) % 3] - t[i]);
-                if (to_wall(other.block, p) <= reach) points.push_back(p);
+            for (int k = 0, last = one.is_box ? 200 : 10; k <= last; ++k) {
+                const Vec3 p = t[i] + 1.0 * k / last * (t[(i + 1) % 3] - t[i]);
+                if (to_surface(other, p, 2 * reach) <= reach) points.push_back(p);
             }
 }
 
@@ -157,9 +189,42 @@ std::optional<std::pair<double, double>> through(const Block& block, const Vec3&
     return std::pair(in, out);
 }
 
+/// The same for any region: where a ray first and last meets its surface.
+std::optional<std::pair<double, double>> through(const Sampled& region, const Vec3& from, const Vec3& way) {
+    if (region.is_box) return through(region.block, from, way);
+    double near = 1e300, far = -1;
+    for (const auto& t : region.triangles) {
+        bool is_beside = false;
+        for (int i = 0; i < 3; ++i)
+            is_beside = is_beside || (way[i] == 0 && (from[i] - t[0][i]) * (from[i] - t[1][i]) > 0 &&
+                                      (from[i] - t[0][i]) * (from[i] - t[2][i]) > 0);
+        if (is_beside) continue;
+        const Vec3 u = t[1] - t[0], v = t[2] - t[0], across = way.cross(v);
+        const double volume = u.dot(across);
+        if (std::abs(volume) < 1e-14) continue;
+        const Vec3 start = from - t[0], turned = start.cross(u);
+        const double b = start.dot(across) / volume, c = way.dot(turned) / volume, along = v.dot(turned) / volume;
+        if (b < 0 || c < 0 || b + c > 1 || along < 0) continue;
+        near = std::min(near, along);
+        far = std::max(far, along);
+    }
+    if (far < 0) return std::nullopt;
+    return std::pair(near, far);
+}
+
+/// Whether the surface between two levels covers the axis through `centre`.
+bool is_pierced(const Sampled& region, int axis, const Vec3& centre, double low, double high) {
+    Vec3 from = centre, way = Vec3::Zero();
+    from[axis] = low;
+    way[axis] = 1;
+    const auto hit = through(region, from, way);
+    return !region.is_box && hit && hit->first <= high - low;
+}
+
 /// Looks out of the reference's middle at many levels.
 double encircled(const Sampled& target, const Sampled& reference) {
-    constexpr int ways = 72, levels = 150;
+    constexpr int ways = 72;
+    const int levels = target.is_box && reference.is_box ? 150 : 40;
     const Vec3 centre = (reference.low + reference.high) / 2;
     double most = 0;
     for (int axis = 0; axis < 3; ++axis) {
@@ -169,10 +234,11 @@ double encircled(const Sampled& target, const Sampled& reference) {
             heights.emplace_back(reference.low[axis] + k * (reference.high[axis] - reference.low[axis]) / levels,
                                  false);
         for (const double face : {target.low[axis], target.high[axis]})
-            if (target.block.axes.row(axis).cwiseAbs().maxCoeff() > 1 - 1e-9 && face >= reference.low[axis] &&
-                face <= reference.high[axis])
+            if (target.is_box && target.block.axes.row(axis).cwiseAbs().maxCoeff() > 1 - 1e-9 &&
+                face >= reference.low[axis] && face <= reference.high[axis])
                 heights.emplace_back(face, true);
-        for (int k = 0; k < ways; ++k) {
+        const bool covers = is_pierced(target, axis, centre, reference.low[axis], reference.high[axis]);
+        for (int k = 0; k < ways && !covers; ++k) {
             const double angle = 2 * std::numbers::pi * (k + 0.5) / ways;
             Vec3 way = Vec3::Zero(), from = centre;
             way[(axis + 1) % 3] = std::cos(angle);
@@ -180,8 +246,8 @@ double encircled(const Sampled& target, const Sampled& reference) {
             double near = 1e300, far = -1;
             for (const auto& [height, is_face] : heights) {
                 from[axis] = height;
-                if (const auto hit = through(reference.block, from, way)) far = std::max(far, hit->second);
-                if (const auto hit = through(target.block, from, way))
+                if (const auto hit = through(reference, from, way)) far = std::max(far, hit->second);
+                if (const auto hit = through(target, from, way))
                     near = std::min(near, hit->first >= 0 ? hit->first : is_face ? 0 : hit->second);
             }
             count += near < 1e300 && near > 0 && near >= 0.9 * far;
@@ -207,7 +273,7 @@ Opinion opinion(const std::string& name, const World& world, const Tuple& tuple)
         double least = 1e300;
         for (const auto& [a, b] : {std::pair(&t, &r), std::pair(&r, &t)})
             for (const auto& points : {a->points, a->corners})
-                for (const Vec3& p : points) least = std::min(least, to_wall(b->block, p));
+                for (const Vec3& p : points) least = std::min(least, to_surface(*b, p, least));
         return {least / diagonal, 0.015};
     }
     if (name == "contact") {
@@ -293,7 +359,7 @@ Opinion opinion(const std::string& name, const World& world, const Tuple& tuple)
     }
     if (name == "foot rise") return {t.low.z() - r.high.z(), exact};
     if (name == "plan distance") return {plan_gap(t.corners, r.corners), 0.01};
-    if (name == "middle distance") return {plan_gap({t.block.centre}, r.corners), 0.01};
+    if (name == "middle distance") return {plan_gap({t.block.centre}, r.corners), t.is_box ? 0.01 : 0.02};
     if (name == "size difference") return {(lt.array() / lr.array()).log().abs().maxCoeff(), 1e-4};
     if (name == "shape difference") {
         const auto spread = [](const Sampled& s, double length) {  // along the box's side of that length
@@ -313,62 +379,94 @@ Opinion opinion(const std::string& name, const World& world, const Tuple& tuple)
     return {0, 0};
 }
 
-/// Random boxes over a plate that tells the frame, and a board that tells the front.
+/// A round or angled shape in small triangles, in a box of about these half sides, with its own middle at 0.
+TriangleMesh shape_in(int kind, const Vec3& half) {
+    if (kind == 0) return solids::ball(half.mean(), half.mean() / 4);
+    if (kind == 1) return solids::torus(0.25, 0.05, 0.05);
+    TriangleMesh mesh;
+    if (kind == 2) {  // an L
+        mesh = solids::sweep(
+            solids::polygon({{-0.06, -0.06}, {0.4, -0.06}, {0.4, 0.06}, {0.06, 0.06}, {0.06, 0.2}, {-0.06, 0.2}}, 0.1),
+            0.06, 0.06);
+        for (Vec3& p : mesh.positions) p -= Vec3(0.17, 0.07, 0.03);
+    } else {  // a rod, or a disc
+        const double radius = kind == 3 ? 0.06 : 0.25, length = kind == 3 ? 0.5 : 0.06;
+        mesh = solids::sweep(solids::ellipse(radius, radius, 0.04), length, 0.1);
+        for (Vec3& p : mesh.positions) p.z() -= length / 2;
+    }
+    return mesh;
+}
+
+/// Random boxes, or boxes and other shapes, over a plate that tells the frame, and a board that tells the front.
 struct RandomScene {
     std::vector<Block> blocks;
+    std::vector<int> kinds;  ///< of shape_in; -1: a box
     Stage stage{{}};
     World world;
 
-    RandomScene(std::mt19937& random, int count) {
+    RandomScene(std::mt19937& random, int count, bool has_round_ones = false) {
         std::uniform_real_distribution<double> any(0, 1);
         blocks.push_back({{1, 0.6, -0.05}, {1, 0.6, 0.05}});
         blocks.push_back({{1, 1.15, 0.56}, {1, 0.05, 0.55}});
-        while (static_cast<int>(blocks.size()) < count) {
-            const double kind = any(random);
-            Vec3 half = Vec3(0.1, 0.12, 0.14) * (0.7 + 0.6 * any(random));
-            if (kind < 0.35) half = Vec3(0.3, 0.05, 0.06) * (0.7 + 0.6 * any(random));
-            if (kind > 0.65) half = Vec3(0.25, 0.3, 0.03) * (0.7 + 0.6 * any(random));
-            Block block{{0.45 + 1.1 * any(random), 0.45 + 0.3 * any(random), 0.4 + 0.3 * any(random)}, half};
-            if (any(random) < 0.4)  // as it is, or turned anyhow
-                block.axes =
-                    Eigen::AngleAxisd(0.2 + 0.8 * any(random), Vec3(any(random), any(random), any(random)).normalized())
-                        .toRotationMatrix();
-            if (any(random) < 0.3) {  // the mirror image or the twin of an earlier one
-                const Block& twin =
-                    blocks[static_cast<std::size_t>(2 + any(random) * static_cast<double>(blocks.size() - 2)) %
-                           blocks.size()];
-                block = twin;
-                if (any(random) < 0.5) {
-                    block.centre.x() = 2 - block.centre.x();
-                    block.axes.row(0) *= -1;
-                    block.axes.col(0) *= -1;
-                } else {
-                    block.centre += Vec3(0.3 * any(random), 0.1, 0.013);
-                }
-            }
-            if (blocks.size() > 2 || block.half.maxCoeff() < 0.5) blocks.push_back(block);
-        }
+        while (static_cast<int>(blocks.size()) < count) add_block(random);
         const solids::Motion motion = solids::random_motion(random, 0);
-        for (const Block& block : blocks) stage.add(block);
+        for (std::size_t i = 0; i < blocks.size(); ++i) {
+            kinds.push_back(has_round_ones && i >= 2 && any(random) < 0.8 ? static_cast<int>(random() % 5) : -1);
+            if (kinds[i] < 0)
+                stage.add(blocks[i]);
+            else
+                stage.add(solids::moved(shape_in(kinds[i], blocks[i].half),
+                                        [&](const Vec3& p) -> Vec3 { return blocks[i].axes * p + blocks[i].centre; }));
+        }
         stage.move(motion, random);
         stage.object.placement.metres_per_unit = 1 / motion.scale;
         stage.finish();
-        const Eigen::AngleAxisd back(-motion.degrees / degrees, Vec3::UnitZ());
+        const Eigen::Matrix3d back = Eigen::AngleAxisd(-motion.degrees / degrees, Vec3::UnitZ()).toRotationMatrix();
+        const auto built = [&](const Vec3& p) -> Vec3 { return back * ((p - motion.shift) / motion.scale); };
         for (std::size_t i = 0; i < blocks.size(); ++i) {
             std::vector<std::array<Vec3, 3>> triangles;
             for (const std::int32_t t : stage.parts[i].region.triangles) {
                 std::array<Vec3, 3> corners;
                 for (std::size_t k = 0; k < 3; ++k)
-                    corners[k] = back * ((stage.object.mesh.positions[static_cast<std::size_t>(
-                                              stage.object.mesh.triangles[static_cast<std::size_t>(t)][k])] -
-                                          motion.shift) /
-                                         motion.scale);
+                    corners[k] = built(stage.object.mesh.positions[static_cast<std::size_t>(
+                        stage.object.mesh.triangles[static_cast<std::size_t>(t)][k])]);
                 triangles.push_back(corners);
             }
-            world.regions.push_back(sample(std::move(triangles), blocks[i]));
+            if (kinds[i] >= 0) {  // its smallest box is not told by how it was made
+                const OrientedBox& box = stage.parts[i].box;
+                blocks[i] = {built(box.centre), box.lengths / motion.scale / 2, back * box.axes};
+            }
+            world.regions.push_back(sample(std::move(triangles), blocks[i], kinds[i] < 0, kinds[i] != 2));
             world.low = world.low.cwiseMin(world.regions.back().low);
             world.high = world.high.cwiseMax(world.regions.back().high);
         }
+    }
+
+    void add_block(std::mt19937& random) {
+        std::uniform_real_distribution<double> any(0, 1);
+        const double kind = any(random);
+        Vec3 half = Vec3(0.1, 0.12, 0.14) * (0.7 + 0.6 * any(random));
+        if (kind < 0.35) half = Vec3(0.3, 0.05, 0.06) * (0.7 + 0.6 * any(random));
+        if (kind > 0.65) half = Vec3(0.25, 0.3, 0.03) * (0.7 + 0.6 * any(random));
+        Block block{{0.45 + 1.1 * any(random), 0.45 + 0.3 * any(random), 0.4 + 0.3 * any(random)}, half};
+        if (any(random) < 0.4)  // as it is, or turned anyhow
+            block.axes =
+                Eigen::AngleAxisd(0.2 + 0.8 * any(random), Vec3(any(random), any(random), any(random)).normalized())
+                    .toRotationMatrix();
+        if (any(random) < 0.3) {  // the mirror image or the twin of an earlier one
+            const Block& twin =
+                blocks[static_cast<std::size_t>(2 + any(random) * static_cast<double>(blocks.size() - 2)) %
+                       blocks.size()];
+            block = twin;
+            if (any(random) < 0.5) {
+                block.centre.x() = 2 - block.centre.x();
+                block.axes.row(0) *= -1;
+                block.axes.col(0) *= -1;
+            } else {
+                block.centre += Vec3(0.3 * any(random), 0.1, 0.013);
+            }
+        }
+        if (blocks.size() > 2 || block.half.maxCoeff() < 0.5) blocks.push_back(block);
     }
 };
 
@@ -390,28 +488,44 @@ const std::vector<knowledge::Relation>& relations() {
     return all;
 }
 
-TEST(RelationBrute, MeasuresOfAllTuples) {
+/// Every measure of every tuple, counted by measure.
+void compare_all(const RandomScene& scene, int regions, std::map<std::string, int>& compared) {
+    for (const RelationMeasure& measure : all_relation_measures())
+        for (const Tuple& tuple : all_tuples(regions, measure.arity)) {
+            if (std::ranges::min(tuple) < 2 && measure.name == "gap") continue;  // large walls are sampled too thinly
+            if (measure.name == "middle distance" && !scene.world.regions[static_cast<std::size_t>(tuple[0])].is_even)
+                continue;
+            const Opinion second = opinion(measure.name, scene.world, tuple);
+            const auto value = measure.value(scene.stage.scene, scene.stage.at(tuple));
+            ASSERT_TRUE(value) << measure.name;
+            ++compared[measure.name];
+            SCOPED_TRACE(
+                fmt::format("{} of {}, shapes {}", measure.name, fmt::join(tuple, " "), fmt::join(scene.kinds, " ")));
+            if (std::isinf(second.value))
+                EXPECT_EQ(*value, second.value);
+            else
+                EXPECT_NEAR(*value, second.value, second.tolerance);
+        }
+}
+
+TEST(RelationBrute, MeasuresOfAllTuplesOfBoxes) {
     std::map<std::string, int> compared;
     for (unsigned seed = 1; seed <= 5; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         std::mt19937 random(seed);
-        const RandomScene scene(random, 7);
-        for (const RelationMeasure& measure : all_relation_measures())
-            for (const Tuple& tuple : all_tuples(7, measure.arity)) {
-                if (std::ranges::min(tuple) < 2 && measure.name == "gap")
-                    continue;  // large walls are sampled too thinly
-                const Opinion second = opinion(measure.name, scene.world, tuple);
-                const auto value = measure.value(scene.stage.scene, scene.stage.at(tuple));
-                ASSERT_TRUE(value) << measure.name;
-                ++compared[measure.name];
-                if (std::isinf(second.value))
-                    EXPECT_EQ(*value, second.value);
-                else
-                    EXPECT_NEAR(*value, second.value, second.tolerance)
-                        << measure.name << " " << tuple[0] << " " << tuple[1];
-            }
+        compare_all(RandomScene(random, 7), 7, compared);
     }
     for (const auto& [name, count] : compared) EXPECT_GE(count, 100) << name;
+}
+
+TEST(RelationBrute, MeasuresOfAllTuplesOfBallsRingsRodsDiscsAndElls) {
+    std::map<std::string, int> compared;
+    for (unsigned seed = 61; seed <= 62; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        std::mt19937 random(seed);
+        compare_all(RandomScene(random, 6, true), 6, compared);
+    }
+    for (const auto& [name, count] : compared) EXPECT_GE(count, 24) << name;
 }
 
 /// T is the lowest trapezoid of all its measures, whatever it left out.
@@ -420,7 +534,7 @@ TEST(RelationBrute, ShortcutsChangeNothing) {
     for (unsigned seed = 21; seed <= 24; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         std::mt19937 random(seed);
-        const RandomScene scene(random, 9);
+        const RandomScene scene(random, 9, seed % 2 == 0);
         for (const knowledge::Relation& relation : relations())
             for (const Tuple& tuple : all_tuples(9, relation.arity)) {
                 double lowest = 1;
@@ -442,8 +556,8 @@ TEST(RelationBrute, RangesOfGroupsHoldTheirValues) {
     for (unsigned seed = 41; seed <= 42; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         std::mt19937 random(seed);
-        const RandomScene scene(random, 10);
-        for (int round = 0; round < 40; ++round) {
+        const RandomScene scene(random, 10, seed % 2 == 0);
+        for (int round = 0; round < 20; ++round) {
             std::vector<std::vector<int>> groups(3);  // of disjoint regions
             for (int region = 0; region < 10; ++region) groups[random() % 3].push_back(region);
             if (std::ranges::any_of(groups, &std::vector<int>::empty)) continue;

@@ -69,6 +69,13 @@ public:
                     }
             }
     }
+    /// Any surface.
+    void add(const TriangleMesh& mesh, const Vec3& at = Vec3::Zero()) {
+        begin();
+        const auto first = static_cast<std::int32_t>(object.mesh.positions.size());
+        for (const Vec3& p : mesh.positions) object.mesh.positions.push_back(p + at);
+        for (const auto& [a, b, c] : mesh.triangles) triangle({first + a, first + b, first + c});
+    }
     /// The wall of a tube around z.
     void add_ring(const Vec3& centre, double radius, double half_height, int around = 48) {
         begin();
@@ -115,12 +122,15 @@ public:
 
 private:
     void begin() { parts.emplace_back(); }
+    void triangle(const std::array<std::int32_t, 3>& corners) {
+        parts.back().region.triangles.push_back(static_cast<std::int32_t>(object.mesh.triangles.size()));
+        parts.back().region.memberships.push_back(1);
+        object.mesh.triangles.push_back(corners);
+    }
     void quad(std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t d, bool reversed) {
         for (std::array<std::int32_t, 3> triangle : {std::array{a, b, c}, std::array{a, c, d}}) {
             if (reversed) std::swap(triangle[1], triangle[2]);
-            parts.back().region.triangles.push_back(static_cast<std::int32_t>(object.mesh.triangles.size()));
-            parts.back().region.memberships.push_back(1);
-            object.mesh.triangles.push_back(triangle);
+            this->triangle(triangle);
         }
     }
 };
