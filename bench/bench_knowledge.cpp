@@ -22,7 +22,8 @@ namespace {
 using knowledge::Clauses;
 using knowledge::Diagram;
 
-Clauses local_rules(int concepts, int rules, int window) {
+/// `window` = `concepts`: rules over any of them.
+Clauses local_rules(int concepts, int rules, int window, std::size_t literals) {
     std::mt19937 random(1);
     Clauses clauses;
     std::vector<bool> hidden{false};
@@ -33,7 +34,8 @@ Clauses local_rules(int concepts, int rules, int window) {
     while (static_cast<int>(clauses.size()) < rules) {
         const int start = 1 + static_cast<int>(random() % static_cast<unsigned>(concepts - window + 1));
         std::set<int> chosen;
-        while (chosen.size() < 3) chosen.insert(start + static_cast<int>(random() % static_cast<unsigned>(window)));
+        while (chosen.size() < literals)
+            chosen.insert(start + static_cast<int>(random() % static_cast<unsigned>(window)));
         std::vector<int> clause;
         bool is_obeyed = false;
         for (const int v : chosen) {
@@ -81,8 +83,8 @@ std::pair<double, double> buddy_times(const Clauses& clauses) {
     return {build, sum < 0 ? 0 : count};
 }
 
-void bench_space(int concepts, int rules, int window) {
-    const Clauses clauses = local_rules(concepts, rules, window);
+void bench_space(int concepts, int rules, int window, std::size_t literals = 3) {
+    const Clauses clauses = local_rules(concepts, rules, window, literals);
     const double compile = median_of_five([&] { static_cast<void>(Diagram(clauses)); });
     const Diagram diagram(clauses);
     const knowledge::Count count = diagram.count();
@@ -93,21 +95,23 @@ void bench_space(int concepts, int rules, int window) {
     knowledge::ChoiceOptions choice;
     choice.wanted = {1, concepts / 2, concepts};
     const double question = median_of_five([&] { static_cast<void>(best_question(diagram, questions, choice)); });
+    fmt::print("  {:>5} {:>5} {:>6} {:>8} 2^{:<7.1f} {:>7} {:>8.1f} {:>7.2f} {:>8.2f} {:>8.2f}", concepts, rules,
+               window, literals, count.log2, diagram.node_count(), compile, sweep, exact, question);
+    if (window == concepts) {  // it has no good order then
+        fmt::print(" {:>9} {:>9}\n", "-", "-");
+        return;
+    }
     const auto [build, counts] = buddy_times(clauses);
-    fmt::print(
-        "  {:>5} {:>5} {:>6} 2^{:<7.1f} {:>7} {:>8.1f} {:>7.2f} {:>8.2f} {:>8.2f} {:>9.1f} {:>9.1f} {:>8.2f} "
-        "{:>8.3f}\n",
-        concepts, rules, window, count.log2, diagram.node_count(), compile, sweep, exact, question, build, counts,
-        compile / build, exact / counts);
+    fmt::print(" {:>9.1f} {:>9.1f} {:>8.2f} {:>8.3f}\n", build, counts, compile / build, exact / counts);
 }
 
 }  // namespace
 
 void bench_knowledge() {
     fmt::print("\nConfiguration spaces; reference: BuDDy, its diagram and a count under each concept (ms)\n");
-    fmt::print("  {:>5} {:>5} {:>6} {:<9} {:>7} {:>8} {:>7} {:>8} {:>8} {:>9} {:>9} {:>8} {:>8}\n", "yes/no", "rules",
-               "window", "models", "nodes", "compile", "shares", "counts", "question", "BuDDy", "counts", "ratio",
-               "ratio");
+    fmt::print("  {:>5} {:>5} {:>6} {:>8} {:<9} {:>7} {:>8} {:>7} {:>8} {:>8} {:>9} {:>9} {:>8} {:>8}\n", "yes/no",
+               "rules", "window", "literals", "models", "nodes", "compile", "shares", "counts", "question", "BuDDy",
+               "counts", "ratio", "ratio");
     bench_space(20, 60, 8);
     bench_space(40, 120, 8);
     bench_space(40, 300, 10);
@@ -116,6 +120,10 @@ void bench_knowledge() {
     bench_space(1000, 600, 8);
     bench_space(1000, 600, 12);
     bench_space(1000, 600, 16);
+    bench_space(1000, 600, 1000, 2);
+    bench_space(1000, 800, 1000, 2);
+    bench_space(1000, 200, 1000);
+    bench_space(1000, 300, 1000);
 }
 
 }  // namespace partonomy::bench

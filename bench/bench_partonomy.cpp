@@ -144,11 +144,15 @@ int main(int count, char** arguments) {
         bench::print_relations(2000);
         return 0;
     }
+    if (count > 1 && std::string(arguments[1]) == "hermit") {
+        bench::bench_hermit(true);
+        return 0;
+    }
     namespace fs = std::filesystem;
     const fs::path folder = fs::temp_directory_path() / ("partonomy-bench-" + std::to_string(::getpid()));
     fs::create_directories(folder);
     bench::bench_ontology();
-    bench::bench_hermit();
+    bench::bench_hermit(false);
     bench::bench_knowledge();
     bench::bench_whole_process(folder);
     bool has_data = false;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <compare>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -100,6 +101,14 @@ private:
     std::optional<ConfigurationSet> within_;
     ConfigurationSet possible_;          ///< packed, as all that follows
     std::vector<Candidate> candidates_;  ///< ascending
+    std::vector<std::size_t> open_;      ///< of the candidates: those about `open` variables
+    /// What PlanOptions::cost said; asked once in each call, since what an algorithm costs may change between calls.
+    struct KnownCost {
+        std::optional<double> cost;
+        std::uint64_t call = 0;
+    };
+    mutable std::vector<KnownCost> costs_;  ///< by candidate
+    mutable std::uint64_t call_ = 0;
     std::vector<ConfigurationSet>
         labels_;  ///< configurations that agree on every wanted concept; none when wanted is empty
     /// The space row by row, made when first needed: which label a configuration has, and which questions it answers

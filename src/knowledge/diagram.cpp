@@ -263,7 +263,7 @@ Count counted(bool has_model) {
 }  // namespace
 
 Diagram::Diagram(const Clauses& clauses, const DiagramOptions& options)
-    : nodes_(search_diagram(clauses, decision_ranks(clauses), options)) {}
+    : nodes_(search_diagram(clauses, decision_order(clauses), options)) {}
 
 Diagram Diagram::sampled(const Clauses& clauses, std::string why) {
     Diagram diagram;

@@ -33,12 +33,15 @@ struct Diagram::Nodes {
     }
 };
 
-/// When each variable is best decided: the lower the earlier. Index 0 is not used.
-[[nodiscard]] std::vector<int> decision_ranks(const Clauses& clauses);
+struct DecisionOrder {
+    std::vector<int> ranks;    ///< when each variable is best decided: the lower the earlier; index 0 is not used
+    std::size_t width = 0;     ///< variables that have to be decided together at worst
+    bool is_hopeless = false;  ///< a diagram of that order may well have 2^60 nodes
+};
+[[nodiscard]] DecisionOrder decision_order(const Clauses& clauses);
 
 /// The diagram's nodes, deciding the variable of lowest rank first in each component.
-[[nodiscard]] std::shared_ptr<const Diagram::Nodes> search_diagram(const Clauses& clauses,
-                                                                   const std::vector<int>& ranks,
+[[nodiscard]] std::shared_ptr<const Diagram::Nodes> search_diagram(const Clauses& clauses, const DecisionOrder& order,
                                                                    const DiagramOptions& options);
 
 }  // namespace partonomy::knowledge

@@ -26,6 +26,7 @@ namespace partonomy::knowledge {
 namespace {
 
 constexpr int dead = -1, unknown = -2;
+constexpr double hopeless_share = 20;
 constexpr int depth_limit = 8'000;  // of the recursion: some 4 MB of stack
 
 /// Results by component. Keys are compared in full: two components never share a result by accident.
@@ -85,17 +86,41 @@ private:
     std::size_t count_ = 0;
 };
 
+/// Lists one behind the other in memory, which the search walks all the time.
+class Lists {
+public:
+    void append(std::span<const int> list) {
+        items_.insert(items_.end(), list.begin(), list.end());
+        first_.push_back(static_cast<std::uint32_t>(items_.size()));
+    }
+    [[nodiscard]] std::span<const int> operator[](std::size_t i) const {
+        return {items_.data() + first_[i], items_.data() + first_[i + 1]};
+    }
+    [[nodiscard]] std::size_t size() const { return first_.size() - 1; }
+
+private:
+    std::vector<std::uint32_t> first_{0};
+    std::vector<int> items_;
+};
+
+Lists together(const std::vector<std::vector<int>>& lists) {
+    Lists result;
+    for (const std::vector<int>& list : lists) result.append(list);
+    return result;
+}
+
 class Search {
 public:
-    Search(const Clauses& clauses, const std::vector<int>& ranks, const DiagramOptions& options)
-        : ranks_(ranks), options_(options), result_(std::make_shared<Diagram::Nodes>()) {
+    Search(const Clauses& clauses, const DecisionOrder& order, const DiagramOptions& options)
+        : order_(order), options_(options), result_(std::make_shared<Diagram::Nodes>()) {
         const auto n = static_cast<std::size_t>(clauses.variable_count());
         result_->variables = clauses.variable_count();
         values_.assign(n + 1, 0);
         variable_labels_.assign(n + 1, 0);
-        with_literal_.resize(2 * n + 2);
-        with_variable_.resize(n + 1);
-        for (std::size_t c = 0; c < clauses.size(); ++c) read(clauses[c]);
+        std::vector<std::vector<int>> with_literal(2 * n + 2), with_variable(n + 1);
+        for (std::size_t c = 0; c < clauses.size(); ++c) read(clauses[c], with_literal, with_variable);
+        with_literal_ = together(with_literal);
+        with_variable_ = together(with_variable);
         clause_labels_.assign(clauses_.size(), 0);
     }
 
@@ -115,7 +140,8 @@ private:
     static std::size_t index(int literal) { return literal > 0 ? 2 * literal : 1 - 2 * literal; }
     [[nodiscard]] int value(int literal) const { return literal > 0 ? values_[literal] : -values_[-literal]; }
 
-    void read(std::span<const int> literals) {
+    void read(std::span<const int> literals, std::vector<std::vector<int>>& with_literal,
+              std::vector<std::vector<int>>& with_variable) {
         std::vector<int> clause(literals.begin(), literals.end());
         std::ranges::sort(clause);
         clause.erase(std::unique(clause.begin(), clause.end()), clause.end());
@@ -124,12 +150,12 @@ private:
         if (clause.size() == 1) units_.push_back(clause[0]);
         const int id = static_cast<int>(clauses_.size());
         for (const int literal : clause) {
-            with_literal_[index(literal)].push_back(id);
-            with_variable_[std::abs(literal)].push_back(id);
+            with_literal[index(literal)].push_back(id);
+            with_variable[std::abs(literal)].push_back(id);
         }
         satisfied_.push_back(0);
         open_.push_back(static_cast<int>(clause.size()));
-        clauses_.push_back(std::move(clause));
+        clauses_.append(clause);
     }
 
     void enqueue(int literal) {
@@ -147,8 +173,11 @@ private:
                 if (--open_[c] > 1 || satisfied_[c] > 0) continue;
                 if (open_[c] == 0) fine = false;
                 if (!fine) continue;
-                const auto left = std::ranges::find_if(clauses_[c], [&](int each) { return value(each) >= 0; });
-                if (left != clauses_[c].end() && value(*left) == 0) enqueue(*left);
+                for (const int left : clauses_[c]) {
+                    if (value(left) < 0) continue;
+                    if (value(left) == 0) enqueue(left);
+                    break;
+                }
             }
         }
         return fine;
@@ -215,7 +244,7 @@ private:
         const std::vector<std::uint32_t> key = key_of(component);
         if (const int known = cache_.find(key); known != unknown) return known;
         if (++depth_ > depth_limit) give_up("nests deeper than " + std::to_string(depth_limit) + " decisions");
-        const int v = *std::ranges::min_element(component.variables, {}, [&](int each) { return ranks_[each]; });
+        const int v = *std::ranges::min_element(component.variables, {}, [&](int each) { return order_.ranks[each]; });
         const std::array<DiagramBranch, 2> both{branch(v, component), branch(-v, component)};
         --depth_;
         int node = dead;
@@ -269,19 +298,21 @@ private:
         if (bytes > options_.memory_limit)
             give_up("takes more than " + std::to_string(options_.memory_limit >> 20) + " MB");
         const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-        if (seconds > options_.seconds_limit)
-            give_up("takes longer than " + std::to_string(static_cast<long>(options_.seconds_limit)) + " s to make");
+        if (seconds > options_.seconds_limit / (order_.is_hopeless ? hopeless_share : 1))
+            give_up((order_.is_hopeless ? "would take far longer than " : "takes longer than ") +
+                    std::to_string(static_cast<long>(options_.seconds_limit)) + " s to make");
     }
 
-    [[noreturn]] static void give_up(const std::string& why) {
+    [[noreturn]] void give_up(const std::string& why) const {
         throw OntologyError("the decision diagram of its configurations " + why +
-                            "; raise that limit, or let rules tie fewer concepts together");
+                            "; raise that limit, or let rules tie fewer concepts together (up to " +
+                            std::to_string(order_.width) + " have to be decided as one)");
     }
 
-    const std::vector<int>& ranks_;
+    const DecisionOrder& order_;
     const DiagramOptions& options_;
     std::shared_ptr<Diagram::Nodes> result_;
-    std::vector<std::vector<int>> clauses_, with_literal_, with_variable_;
+    Lists clauses_, with_literal_, with_variable_;
     std::vector<int> satisfied_, open_;  // literals of each clause that are true; that are not false
     std::vector<int> units_;
     bool is_broken_ = false;  // there is an empty clause
@@ -298,9 +329,9 @@ private:
 
 }  // namespace
 
-std::shared_ptr<const Diagram::Nodes> search_diagram(const Clauses& clauses, const std::vector<int>& ranks,
+std::shared_ptr<const Diagram::Nodes> search_diagram(const Clauses& clauses, const DecisionOrder& order,
                                                      const DiagramOptions& options) {
-    return Search(clauses, ranks, options).run();
+    return Search(clauses, order, options).run();
 }
 
 }  // namespace partonomy::knowledge

@@ -1,6 +1,6 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <numeric>
 
 #include "knowledge/decision_tree.h"
 #include "knowledge/diagram_questions.h"
@@ -23,14 +23,18 @@ constexpr std::size_t look_ahead_budget = 200;  ///< sets to price for one quest
 double entropy_sum(double n) { return n > 0 ? n * std::log2(n) : 0; }
 
 /// The same of whole numbers, those below the size of the table looked up.
-double entropy_sum(std::size_t n) {
-    static const std::vector<double> table = [] {
-        std::vector<double> sums(1024);
-        for (std::size_t i = 0; i < sums.size(); ++i) sums[i] = entropy_sum(static_cast<double>(i));
-        return sums;
-    }();
-    return n < table.size() ? table[n] : entropy_sum(static_cast<double>(n));
-}
+class EntropySums {
+public:
+    EntropySums() {
+        for (std::size_t i = 0; i < table_.size(); ++i) table_[i] = entropy_sum(static_cast<double>(i));
+    }
+    double operator()(std::size_t n) const {
+        return n < table_.size() ? table_[n] : entropy_sum(static_cast<double>(n));
+    }
+
+private:
+    std::array<double, 1024> table_;
+};
 
 /// Keeps the first of the highest scores; scores closer than rounding count as equal.
 struct Best {
@@ -100,16 +104,20 @@ Planner::Planner(const Space& space, PlanOptions options, const ConfigurationSet
         if (variable.kind >= VariableKind::relation) questions = 1;  // yes or no
         for (std::size_t k = 0; k < questions; ++k) {
             const Question question{static_cast<VariableId>(v), static_cast<ValueId>(k)};
+            if (variable.kind == VariableKind::open) open_.push_back(candidates_.size());
             candidates_.push_back({question, packed(knowledge::yes_set(space, question)), variable.answerable});
         }
     }
+    costs_.resize(candidates_.size());
 }
 
 ConfigurationSet Planner::packed(const ConfigurationSet& set) const { return within_ ? set.packed(*within_) : set; }
 
 std::optional<double> Planner::cost(const Candidate& candidate) const {
-    if (options_.cost) return options_.cost(candidate.question);
-    return candidate.answerable ? std::optional(1.0) : std::nullopt;
+    if (!options_.cost) return candidate.answerable ? std::optional(1.0) : std::nullopt;
+    KnownCost& known = costs_[static_cast<std::size_t>(&candidate - candidates_.data())];
+    if (known.call != call_) known = {options_.cost(candidate.question), call_};
+    return known.cost;
 }
 
 bool Planner::is_decided(const ConfigurationSet& set) const { return is_decided_packed(packed(set)); }
@@ -124,11 +132,9 @@ bool Planner::is_decided_packed(const ConfigurationSet& set) const {
     // When what nothing can answer tells the label, nothing that is asked will.
     const auto is_told = [&](const auto& self, const ConfigurationSet& some, std::size_t from) -> bool {
         if (is_one_label(some)) return true;
-        for (std::size_t i = from; i < candidates_.size(); ++i) {
-            const auto& [question, yes, answerable] = candidates_[i];
-            if (space_->variables[question.variable].kind != VariableKind::open || some.is_subset_of(yes) ||
-                !some.intersects(yes))
-                continue;
+        for (std::size_t i = from; i < open_.size(); ++i) {
+            const ConfigurationSet& yes = candidates_[open_[i]].yes;
+            if (some.is_subset_of(yes) || !some.intersects(yes)) continue;
             return self(self, some & yes, i + 1) && self(self, some - yes, i + 1);
         }
         return false;
@@ -136,7 +142,10 @@ bool Planner::is_decided_packed(const ConfigurationSet& set) const {
     return is_told(is_told, set, 0);
 }
 
-std::optional<Question> Planner::best(const ConfigurationSet& set) const { return best_packed(packed(set)); }
+std::optional<Question> Planner::best(const ConfigurationSet& set) const {
+    ++call_;
+    return best_packed(packed(set));
+}
 
 std::optional<Question> Planner::best_packed(const ConfigurationSet& set) const {
     if (is_decided_packed(set)) return std::nullopt;
@@ -166,6 +175,7 @@ std::optional<Question> Planner::best_compiled(const ConfigurationSet& set, cons
 
 std::optional<Question> Planner::best_about(const ConfigurationSet& whole_set,
                                             const ConfigurationSet& condition) const {
+    ++call_;
     if (space_->diagram) return best_compiled(whole_set, condition.literals(), true);
     const ConfigurationSet set = packed(whole_set);
     const auto entropy_of = [](double yes, double n) {
@@ -255,33 +265,39 @@ std::vector<Planner::Scored> Planner::ranking(const ConfigurationSet& set, std::
         sizes[labels] = sizes[label];
         place[label] = static_cast<std::uint32_t>(labels++);
     }
-    std::vector<std::uint32_t> yes_of(candidates_.size() * labels, 0);  // by candidate, then label
+    const std::size_t width = candidates_.size();
+    std::vector<std::uint32_t> yes_of(labels * width, 0);  // by label, then candidate
     set.for_each([&](std::size_t i) {
-        const std::uint32_t label = place[rows.label[i]];
-        for (std::uint32_t at = rows.first[i]; at < rows.first[i + 1]; ++at) ++yes_of[rows.yes[at] * labels + label];
+        std::uint32_t* inside = &yes_of[place[rows.label[i]] * width];
+        for (std::uint32_t at = rows.first[i]; at < rows.first[i + 1]; ++at) ++inside[rows.yes[at]];
     });
+    std::vector<std::uint32_t> yes_in_all(width, 0);
+    for (std::size_t label = 0; label < labels; ++label)
+        for (std::size_t c = 0; c < width; ++c) yes_in_all[c] += yes_of[label * width + c];
+    static const EntropySums sums;
     double open = 0;  // sum of n log n over the classes: entropy = log n - open / n
-    for (std::size_t label = 0; label < labels; ++label) open += entropy_sum(sizes[label]);
+    for (std::size_t label = 0; label < labels; ++label) open += sums(sizes[label]);
     const auto n = static_cast<double>(count);
-    std::vector<Scored> even, gain;
-    for (std::size_t c = 0; c < candidates_.size(); ++c) {
+    std::vector<Scored> gain;
+    for (std::size_t c = 0; c < width; ++c) {
         const Candidate& candidate = candidates_[c];
-        const std::uint32_t* inside = &yes_of[c * labels];
-        const std::size_t yes = std::accumulate(inside, inside + labels, std::size_t{0});
+        const std::size_t yes = yes_in_all[c];
         if (yes == 0 || yes == count || !cost(candidate)) continue;
-        const double divisor = price(candidate);
-        const double share = static_cast<double>(yes) / n;
-        offer(even, {&candidate, static_cast<double>(std::min(yes, count - yes)) / divisor, share}, most);
         // n times the gain: n H - (yes H_yes + no H_no)
-        double bits = entropy_sum(count) - entropy_sum(yes) - entropy_sum(count - yes) - open;
-        for (std::size_t label = 0; label < labels; ++label)
-            bits += entropy_sum(std::size_t{inside[label]}) + entropy_sum(sizes[label] - inside[label]);
-        if (bits > 1e-9 * n) offer(gain, {&candidate, bits / n / divisor, share}, most);
+        double bits = sums(count) - sums(yes) - sums(count - yes) - open;
+        for (std::size_t label = 0; label < labels; ++label) {
+            const std::size_t inside = yes_of[label * width + c];
+            bits += sums(inside) + sums(sizes[label] - inside);
+        }
+        if (bits > 1e-9 * n) offer(gain, {&candidate, bits / n / price(candidate), static_cast<double>(yes) / n}, most);
     }
-    return gain.empty() ? even : gain;
+    return gain.empty() ? most_even(set, most) : gain;
 }
 
-std::optional<Question> Planner::best_split(const ConfigurationSet& set) const { return split_packed(packed(set)); }
+std::optional<Question> Planner::best_split(const ConfigurationSet& set) const {
+    ++call_;
+    return split_packed(packed(set));
+}
 
 std::optional<Question> Planner::split_packed(const ConfigurationSet& set) const {
     if (space_->diagram) {
@@ -333,6 +349,7 @@ std::optional<Question> Planner::look_ahead(const ConfigurationSet& set) const {
 }
 
 std::optional<Question> Planner::cheapest_yes(const ConfigurationSet& whole_set) const {
+    ++call_;
     const ConfigurationSet set = packed(whole_set);
     Best best;
     for (const Candidate& candidate : candidates_) {

@@ -1,5 +1,6 @@
 #include "knowledge/tree_words.h"
 
+#include <algorithm>
 #include <charconv>
 
 namespace partonomy::knowledge {
@@ -36,13 +37,15 @@ std::vector<NodeFeatures> follow(const DecisionTree& tree) {
     const Space& space = *tree.space;
     std::vector<std::vector<char>> asked(tree.nodes.size());  // [node][variable]: 1 a yes, 2 a number was compared
     std::vector<NodeFeatures> features(tree.nodes.size());
-    for (std::size_t i = 0; i < tree.nodes.size(); ++i) {  // a node's first parent comes before it
+    std::vector<std::size_t> parent(tree.nodes.size(), 0);  // the first; the root is its own
+    for (std::size_t i = 0; i < tree.nodes.size(); ++i) {   // a node's first parent comes before it
         const TreeNode& node = tree.nodes[i];
         if (asked[i].empty()) asked[i].assign(space.variables.size(), 0);
         for (std::size_t v = 0; v < space.variables.size(); ++v)
             for (std::size_t k = 0; k < space.variables[v].values.size(); ++k) {
                 const Question value{static_cast<VariableId>(v), static_cast<ValueId>(k)};
-                if (!node.configurations.intersects(space.holds[v][k]))
+                if (std::ranges::binary_search(features[parent[i]].ruled_out, value) ||
+                    !node.configurations.intersects(space.holds[v][k]))
                     features[i].ruled_out.push_back(value);
                 else if (node.configurations.is_subset_of(space.holds[v][k]))
                     (asked[i][v] ? features[i].told : features[i].inferred).push_back(value);
@@ -53,6 +56,7 @@ std::vector<NodeFeatures> follow(const DecisionTree& tree) {
             const int child = yes ? node.yes : node.no;
             if (child < 0 || !asked[child].empty()) continue;
             asked[child] = asked[i];
+            parent[child] = i;
             const VariableKind kind = space.variables[variable].kind;
             if (yes || kind != VariableKind::range) asked[child][variable] = 1;
         }
