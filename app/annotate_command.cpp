@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <exception>
@@ -21,6 +22,7 @@
 #include "expert/place.h"
 #include "mesh/appearance.h"
 #include "mesh/read_mesh.h"
+#include "report/part_names.h"
 #include "report/write.h"
 #include "report/write_all.h"
 
@@ -198,19 +200,22 @@ Annotation annotate_file(const Arguments& arguments, const Knowhow& knowhow, Inp
 }
 
 std::string summary(const Annotation& annotation, const fs::path& folder) {
-    std::map<std::string, int> counts;
-    for (const AnnotatedPart& part : annotation.parts) ++counts[part.concepts.empty() ? "unnamed" : part.concepts.front()];
-    std::string parts;
-    for (const auto& [name, count] : counts)
-        parts += fmt::format("{}{}{}", parts.empty() ? "" : ", ", name, count > 1 ? fmt::format(" x{}", count) : "");
+    std::vector<std::string> parts, composites, incompatible;
+    for (const AnnotatedPart& part : annotation.parts) parts.push_back(concept_of(part));
+    for (const AnnotatedComposite& composite : annotation.composites) composites.push_back(composite.concepts.front());
+    for (const Diagnosis& diagnosis : annotation.diagnosis)
+        if (std::ranges::find(annotation.classes, diagnosis.concept_name) == annotation.classes.end())
+            incompatible.push_back(diagnosis.concept_name);
+    std::string named = parts.empty() ? "no parts" : counted(parts);
+    if (!composites.empty()) named += "; made up: " + counted(composites);
+    if (!incompatible.empty()) named += "; incompatible: " + counted(incompatible);
     const std::string classes =
         annotation.classes.empty() ? "not recognised" : fmt::format("{}", fmt::join(annotation.classes, ", "));
     std::string related;  // only where the ontology has relations or composite parts
     for (const char* kind : {"T", "TF"})
         if (annotation.questions.at(kind) > 0) related += fmt::format(", {} {}", kind, annotation.questions.at(kind));
     return fmt::format("{}: {} ({:.2f}): {}; SF {}, SI {}{} -> {}", annotation.mesh_file, classes, annotation.score,
-                       parts.empty() ? "no parts" : parts, annotation.questions.at("SF"), annotation.questions.at("SI"),
-                       related, folder.string());
+                       named, annotation.questions.at("SF"), annotation.questions.at("SI"), related, folder.string());
 }
 
 /// At least one class that is no diagnosis.

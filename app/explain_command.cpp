@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -101,6 +102,13 @@ int run_explain(const Arguments& arguments) {
         if (arguments.part != 0 && !is_found)
             throw UsageError(
                 fmt::format("--part {}: there are parts 1 to {}", arguments.part, annotation.at("parts").size()));
+        for (const json& composite : annotation.at("composites")) {
+            const auto parts = composite.at("parts").get<std::vector<int>>();
+            if (arguments.part == 0 || std::ranges::find(parts, arguments.part) != parts.end())
+                fmt::print("part{} {} {} {}\n", parts.size() > 1 ? "s" : "", fmt::join(parts, ", "),
+                           parts.size() > 1 ? "together are" : "is as a whole",
+                           fmt::join(composite.at("concepts").get<std::vector<std::string>>(), ", "));
+        }
         for (const json& diagnosis : annotation.at("diagnosis")) {
             fmt::print("impossible: {}, because of part {}\n", diagnosis.at("concept").get<std::string>(),
                        fmt::join(diagnosis.at("parts").get<std::vector<int>>(), ", "));

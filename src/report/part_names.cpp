@@ -10,21 +10,44 @@ namespace partonomy {
 
 std::string concept_of(const AnnotatedPart& part) { return part.concepts.empty() ? "unnamed" : part.concepts.front(); }
 
-std::vector<std::string> part_names(const Annotation& annotation) {
-    std::map<std::string, int> count;
-    for (const AnnotatedPart& part : annotation.parts) ++count[concept_of(part)];
-    std::map<std::string, int> number;
+namespace {
+
+/// Makes names different by numbers where one occurs more than once.
+std::vector<std::string> told_apart(const std::vector<std::string>& bases) {
+    std::map<std::string, int> count, number;
+    for (const std::string& base : bases) ++count[base];
     std::set<std::string> taken;
     std::vector<std::string> names;
-    names.reserve(annotation.parts.size());
-    for (const AnnotatedPart& part : annotation.parts) {
-        const std::string base = concept_of(part);
+    names.reserve(bases.size());
+    for (const std::string& base : bases) {
         std::string name = base;
         if (count[base] > 1) name.append(" ").append(std::to_string(++number[base]));
         while (!taken.insert(name).second) name += "'";  // a concept called "Leg 1" beside two of Leg
         names.push_back(name);
     }
     return names;
+}
+
+}  // namespace
+
+std::vector<std::string> part_names(const Annotation& annotation) {
+    std::vector<std::string> bases;
+    for (const AnnotatedPart& part : annotation.parts) bases.push_back(concept_of(part));
+    return told_apart(bases);
+}
+
+std::vector<std::string> composite_names(const Annotation& annotation) {
+    std::vector<std::string> bases;
+    for (const AnnotatedComposite& composite : annotation.composites) bases.push_back(composite.concepts.front());
+    return told_apart(bases);
+}
+
+std::string counted(const std::vector<std::string>& names) {
+    std::map<std::string, int> counts;
+    for (const std::string& name : names) ++counts[name];
+    std::vector<std::string> words;
+    for (const auto& [name, count] : counts) words.push_back(count > 1 ? name + " x" + std::to_string(count) : name);
+    return join(words);
 }
 
 void check_belongs(const TriangleMesh& mesh, const Annotation& annotation) {

@@ -15,6 +15,12 @@ namespace partonomy {
 /// One display name a part, all different: "Seat" where the concept occurs once, else "Leg 1", "Leg 2" …
 [[nodiscard]] std::vector<std::string> part_names(const Annotation& annotation);
 
+/// The same for composite parts.
+[[nodiscard]] std::vector<std::string> composite_names(const Annotation& annotation);
+
+/// Names with how often each occurs, in the order of the alphabet: "Leg x4, Seat".
+[[nodiscard]] std::string counted(const std::vector<std::string>& names);
+
 /// Throws UsageError when the annotation is not one of this mesh: another number of triangles, a part index out of
 /// range.
 void check_belongs(const TriangleMesh& mesh, const Annotation& annotation);

@@ -133,8 +133,34 @@ std::string pack(std::string text, std::string binary) {
     return bytes;
 }
 
+/// Which node each piece and then each composite part hangs on: 0 for the root, else a composite part's own node, of
+/// the lowest layer that holds it (they come lower layers first).
+std::vector<std::size_t> find_parents(const Annotation& annotation, const std::vector<Piece>& pieces) {
+    const std::size_t first = pieces.size() + 1;  // node of the first composite part
+    std::vector<std::size_t> parents(pieces.size() + annotation.composites.size(), 0);
+    for (std::size_t k = annotation.composites.size(); k-- > 0;) {
+        const AnnotatedComposite& composite = annotation.composites[k];
+        for (std::size_t i = 0; i < pieces.size(); ++i)
+            if (pieces[i].part != nullptr &&
+                std::ranges::find(composite.parts, pieces[i].part->id) != composite.parts.end())
+                parents[i] = first + k;
+        for (std::size_t i = 0; i < k; ++i)
+            if (std::ranges::find(composite.composites, annotation.composites[i].id) != composite.composites.end())
+                parents[pieces.size() + i] = first + k;
+    }
+    return parents;
+}
+
+void write_children(JsonText& json, const std::vector<std::size_t>& parents, std::size_t parent) {
+    if (std::ranges::find(parents, parent) == parents.end()) return;
+    json.array("children");
+    for (std::size_t i = 0; i < parents.size(); ++i)
+        if (parents[i] == parent) json.item(i + 1);
+    json.end();
+}
+
 /// Node 0 is the root; piece i is node i + 1, mesh i and material i, its corners are accessor and view 2 i, its normals
-/// the one after.
+/// the one after. The nodes of composite parts follow.
 void write_nodes(JsonText& json, const Annotation& annotation, const std::vector<Piece>& pieces,
                  const Vec3& translation, double scale) {
     json.array("nodes").object();
@@ -142,11 +168,8 @@ void write_nodes(JsonText& json, const Annotation& annotation, const std::vector
     if (!translation.isZero(0))
         json.array("translation").item(translation.x()).item(translation.y()).item(translation.z()).end();
     if (scale != 1) json.array("scale").item(scale).item(scale).item(scale).end();
-    if (!pieces.empty()) {
-        json.array("children");
-        for (std::size_t i = 1; i <= pieces.size(); ++i) json.item(i);
-        json.end();
-    }
+    const std::vector<std::size_t> parents = find_parents(annotation, pieces);
+    write_children(json, parents, 0);
     json.object("extras")
         .member("classes", annotation.classes)
         .member("consistent", annotation.consistent)
@@ -162,6 +185,16 @@ void write_nodes(JsonText& json, const Annotation& annotation, const std::vector
                 .member("concepts", part->concepts)
                 .end();
         json.end();
+    }
+    const std::vector<std::string> names = composite_names(annotation);
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        json.object().member("name", names[k]);
+        write_children(json, parents, pieces.size() + 1 + k);
+        json.object("extras")
+            .member("composite", annotation.composites[k].id)
+            .member("concepts", annotation.composites[k].concepts)
+            .end()
+            .end();
     }
     json.end();
 }

@@ -42,9 +42,9 @@ std::string shortened(std::string text, int width, int scale = 1) {
     return text;
 }
 
-/// One line of the legend: the parts of one concept.
+/// One line of the legend: the parts of one concept, or the composite parts of one.
 struct Entry {
-    std::string name, score;
+    std::string name, score = {};
     std::vector<Color> colors;
     int parts = 0;
     double score_sum = 0;
@@ -62,7 +62,7 @@ std::vector<Entry> make_entries(const Annotation& annotation) {
     for (const AnnotatedPart& part : annotation.parts) {
         const std::string name = concept_of(part);
         auto entry = std::ranges::find(entries, name, &Entry::name);
-        if (entry == entries.end()) entry = entries.insert(entry, Entry{.name = name, .score = {}, .colors = {}});
+        if (entry == entries.end()) entry = entries.insert(entry, Entry{.name = name, .colors = {}});
         ++entry->parts;
         entry->score_sum += part.score;
         const Color color = color_of(part);
@@ -70,7 +70,20 @@ std::vector<Entry> make_entries(const Annotation& annotation) {
     }
     for (Entry& entry : entries) entry.score = score_text(entry.score_sum / entry.parts);
     if (std::ranges::find(annotation.part_of_triangle, -1) != annotation.part_of_triangle.end())
-        entries.push_back({.name = "unlabelled", .score = {}, .colors = {unlabelled_color}, .parts = 1});
+        entries.push_back({.name = "unlabelled", .colors = {unlabelled_color}, .parts = 1});
+    const std::size_t of_parts = entries.size();
+    for (const AnnotatedComposite& composite : annotation.composites) {
+        const auto first = entries.begin() + static_cast<std::ptrdiff_t>(of_parts);
+        auto entry =
+            std::find_if(first, entries.end(), [&](const Entry& e) { return e.name == composite.concepts.front(); });
+        if (entry == entries.end())
+            entry = entries.insert(entry, Entry{.name = composite.concepts.front(), .colors = {}});
+        ++entry->parts;
+        for (const int id : composite.parts)
+            if (const AnnotatedPart* part = find_part(annotation, id);
+                part != nullptr && std::ranges::find(entry->colors, color_of(*part)) == entry->colors.end())
+                entry->colors.push_back(color_of(*part));
+    }
     return entries;
 }
 

@@ -103,6 +103,26 @@ std::string parts(const Annotation& annotation) {
     return table(rows, {true, false, false, true, true, true, false, false});
 }
 
+/// "part 3 (Handle)".
+std::string part_in_words(const Annotation& annotation, int id) {
+    const AnnotatedPart* part = find_part(annotation, id);
+    const bool is_named = part != nullptr && !part->concepts.empty();
+    return "part " + std::to_string(id) + (is_named ? " (" + one_line(concept_of(*part)) + ")" : "");
+}
+
+std::string composites(const Annotation& annotation) {
+    std::string text;
+    const std::vector<std::string> names = composite_names(annotation);
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        const AnnotatedComposite& composite = annotation.composites[k];
+        std::vector<std::string> pieces, also(composite.concepts.begin() + 1, composite.concepts.end());
+        for (const int id : composite.parts) pieces.push_back(part_in_words(annotation, id));
+        text += "  " + one_line(names[k]) + (also.empty() ? "" : ", also " + one_line(join(also))) + ": " +
+                join(pieces) + "\n";
+    }
+    return text;
+}
+
 std::string list(const std::string& title, const std::vector<std::string>& lines, bool numbered) {
     if (lines.empty()) return "";
     std::string text = "    " + title + "\n";
@@ -113,12 +133,7 @@ std::string list(const std::string& title, const std::vector<std::string>& lines
 
 std::string culprits(const Annotation& annotation, const Diagnosis& diagnosis) {
     std::vector<std::string> words;
-    for (const int id : diagnosis.parts) {
-        const AnnotatedPart* part = find_part(annotation, id);
-        std::string word = "part " + std::to_string(id);
-        if (part != nullptr && !part->concepts.empty()) word += " (" + one_line(concept_of(*part)) + ")";
-        words.push_back(word);
-    }
+    for (const int id : diagnosis.parts) words.push_back(part_in_words(annotation, id));
     return words.empty() ? "the object as a whole" : join(words);
 }
 
@@ -146,6 +161,7 @@ std::string to_trace(const Annotation& annotation) {
     text += "\nConclusion: " + (a.classes.empty() ? "not recognised" : one_line(join(a.classes))) + ", score " +
             number(a.score, 2) + (a.consistent ? ", consistent\n" : ", INCOMPATIBLE\n");
     text += "\nParts\n" + parts(a);
+    if (!a.composites.empty()) text += "\nComposite parts\n" + composites(a);
     if (!a.diagnosis.empty()) text += "\nDiagnosis\n" + diagnoses(a);
     if (!a.open_questions.empty()) {
         text += "\nStill open\n";
