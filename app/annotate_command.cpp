@@ -144,6 +144,15 @@ void tell(const Placing& placing, const Input& input, double ms, Annotation& ann
     if (input.unit == "auto")
         found.push_back({"auto", "which unit is it in", "mesh", placing.unit, placing.unit_confidence, {}, 0});
     annotation.trace.insert(annotation.trace.begin(), found.begin(), found.end());
+    constexpr double sure = 0.6;
+    if (input.up == "auto" && placing.up_confidence < sure)
+        annotation.mesh_notes.push_back(fmt::format(
+            "Which axis points up is not sure: {} was taken with a confidence of {:.2f} (0.5 is a toss-up); "
+            "--up tells it.",
+            placing.up, placing.up_confidence));
+    if (input.unit == "auto" && placing.unit == "unknown")
+        annotation.mesh_notes.emplace_back(
+            "No unit is clearly the likeliest; --unit tells it, so that sizes can be asked.");
 }
 
 /// What may keep objects from being anything: concepts that none can be, or that nothing proves.

@@ -3,9 +3,11 @@
  * Each of the six axis directions is tried as up (and each unit): the object is questioned as usual, which takes a
  * fraction of a millisecond for a few parts, since cutting depends on up no more than in the corners of flush boards. A
  * placement is plausible when the object stands firmly (shape/resting.h), when it is something the ontology knows and
- * nothing forbids, when much of its surface has a name, and when its height is typical of what it is
- * (core:typicalHeight, a trapezoid in metres at the concepts of objects). The product of these counts, and the
- * confidence is the best placement's share of the best and the next together. A unit that is not clearly more plausible
+ * nothing forbids, when much of its surface has a name, when one side is the mirror image of the other (what stands
+ * mostly has an upright mirror plane; what lies often has none), and when its height is typical of what it is
+ * (core:typicalHeight, a trapezoid in metres at the concepts of objects). Files are rarely upside down, so the negative
+ * axes count a little less. The product of these counts, and the confidence is the best placement's share of the best
+ * and the next together. A unit that is not clearly more plausible
  * than the others is not set: questions that need it stay open. */
 
 #include "expert/place.h"
@@ -26,6 +28,7 @@ constexpr std::array<const char*, 4> unit_words = {"m", "cm", "mm", "in"};
 constexpr double trusted = 0.7;                                         // confidence of a unit, at least
 constexpr double least_plausible = 0.05;                                // of a unit's best placement
 constexpr double unrecognised = 0.1, forbidden = 0.9, toppling = 0.05;  // what each takes off
+constexpr double upside_down = 0.8, lopsided = 0.2;
 
 /// Trapezoids of core:typicalHeight by the local name of the concept.
 std::map<std::string, Trapezoid> typical_heights(const knowledge::Domain& domain) {
@@ -33,6 +36,51 @@ std::map<std::string, Trapezoid> typical_heights(const knowledge::Domain& domain
     for (const auto& [iri, height] : domain.typical_heights)
         heights[owl::local_name(iri)] = {height.a1, height.a2, height.a3, height.a4};
     return heights;
+}
+
+/// Whether two boxes have alike sides.
+bool are_alike(const OrientedBox& a, const OrientedBox& b) {
+    constexpr double most = 1.15;
+    return (a.lengths.array() <= most * b.lengths.array()).all() &&
+           (b.lengths.array() <= most * a.lengths.array()).all();
+}
+
+/// Per axis the share of the surface whose region has a like one (or is itself) where the mirror across the middle of
+/// the axis shows it.
+std::array<double, 3> mirrored_shares(const Object& object) {
+    if (object.mesh.triangles.empty()) return {};
+    const Bounds bounds = compute_used_bounds(object.mesh);
+    const Vec3 middle = bounds.middle();
+    const double slack = 0.05 * bounds.diagonal();
+    std::vector<Vec3> centres;
+    std::vector<double> areas;
+    double all = 0;
+    for (const PartRegion& part : object.candidates) {
+        Vec3 sum = Vec3::Zero();
+        double area = 0;
+        for (const std::int32_t triangle : part.region.triangles) {
+            const auto t = static_cast<std::size_t>(triangle);
+            sum += object.geometry.areas[t] * object.geometry.barycentres[t];
+            area += object.geometry.areas[t];
+        }
+        centres.push_back(area > 0 ? Vec3(sum / area) : part.box.centre);
+        areas.push_back(area);
+        all += area;
+    }
+    std::array<double, 3> shares{};
+    for (std::size_t axis = 0; all > 0 && axis < 3; ++axis)
+        for (std::size_t i = 0; i < centres.size(); ++i) {
+            const auto a = static_cast<Eigen::Index>(axis);
+            Vec3 image = centres[i];
+            image[a] = 2 * middle[a] - image[a];
+            for (std::size_t j = 0; j < centres.size(); ++j)
+                if ((centres[j] - image).norm() < slack &&
+                    are_alike(object.candidates[i].box, object.candidates[j].box)) {
+                    shares[axis] += areas[i] / all;
+                    break;
+                }
+        }
+    return shares;
 }
 
 /// Where an object is put on trial.
@@ -43,6 +91,7 @@ public:
           catalogue_(catalogue),
           object_(object),
           resting_(resting_scores(object.mesh, object.geometry)),
+          mirrored_(mirrored_shares(object)),
           typical_(typical_heights(domain)) {}
 
     /// `by_size`: the unit is on trial, too.
@@ -53,7 +102,10 @@ public:
         AnnotateOptions quick;
         quick.diagnose = false;
         const Annotation annotation = annotate(domain_, catalogue_, object_, quick);
-        double score = annotation.score * std::max(toppling, resting_[up]);
+        const std::size_t axis = up / 2;
+        const double mirrored = std::max(mirrored_[(axis + 1) % 3], mirrored_[(axis + 2) % 3]);
+        double score = annotation.score * std::max(toppling, resting_[up]) * (lopsided + (1 - lopsided) * mirrored);
+        if (up % 2 == 1) score *= upside_down;
         bool is_recognised = false;
         double size = 0;
         for (const std::string& name : annotation.classes) {
@@ -79,6 +131,7 @@ private:
     const Catalogue& catalogue_;
     Object& object_;
     std::array<double, 6> resting_;
+    std::array<double, 3> mirrored_;
     std::map<std::string, Trapezoid> typical_;
 };
 

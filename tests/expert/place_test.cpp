@@ -73,6 +73,26 @@ TEST(Placing, NoUnitIsGuessedForWhatIsOfNoTypicalSize) {
     EXPECT_FALSE(unplaced.placement.metres_per_unit.has_value());
 }
 
+TEST(Placing, ATossUpIsTakenAsFilesMostlyAreAndSaysSo) {
+    TriangleMesh box;  // looks the same upside down
+    for (int corner = 0; corner < 8; ++corner)
+        box.positions.emplace_back(corner & 1, (corner >> 1 & 1) * 0.5, (corner >> 2 & 1) * 0.3);
+    for (const auto& [a, b, c, d] :
+         {std::array{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}) {
+        box.triangles.push_back({a, b, c});
+        box.triangles.push_back({a, c, d});
+    }
+    box.input_face_count = 12;
+    for (std::int32_t t = 0; t < 12; ++t) box.input_faces.push_back(t);
+    for (const std::size_t k : {0U, 2U, 4U}) {
+        SCOPED_TRACE(words[k]);
+        Object unplaced = make_object(turned(box, axis_directions()[k], 1), {Vec3::UnitZ(), 1.0});
+        const Placing placing = found(unplaced, {"auto", "m"});
+        EXPECT_NE(placing.up.front(), '-');
+        EXPECT_LT(placing.up_confidence, 0.6);
+    }
+}
+
 TEST(Resting, AStoolStandsOnItsFeetAndAPostTopples) {
     const ExampleObject stool = paper_object("chair");
     const std::array<double, 6> scores = resting_scores(stool.mesh, compute_geometry(stool.mesh));

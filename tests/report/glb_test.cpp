@@ -5,6 +5,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <random>
+#include <set>
 
 #include "base/errors.h"
 #include "report/write.h"
@@ -128,6 +129,26 @@ TEST(Glb, OneNamedNodeAPart) {
         const Vec3& point = object.mesh.positions[static_cast<std::size_t>(object.mesh.triangles[i / 3][i % 3])];
         EXPECT_LT((nodes[0].corners[i] - Vec3(point.x(), point.z(), -point.y())).norm(), 1e-6);
     }
+}
+
+TEST(Glb, CompositePartsAreNodesThatHoldTheirPieces) {
+    const zoo::Annotated object = zoo::made_up_bench();
+    const Glb glb = open_glb(to_glb(object.mesh, object.annotation, Vec3::UnitZ()));
+    const auto& nodes = glb.json["nodes"];
+    const auto children_of = [&](std::string_view name) {
+        std::set<std::string> names;
+        for (const auto& node : nodes)
+            if (node["name"] == name)
+                for (const auto& child : node["children"]) names.insert(nodes[child.get<std::size_t>()]["name"]);
+        return names;
+    };
+    using Names = std::set<std::string>;
+    EXPECT_EQ(children_of("Bench"), (Names{"LegPair", "Top"}));
+    EXPECT_EQ(children_of("LegPair"), (Names{"Leg 1", "Leg 2"}));
+    EXPECT_EQ(children_of("Top"), (Names{"Seat", "Back"}));
+    EXPECT_EQ(children_of("Back"), (Names{"Backrest"}));
+    EXPECT_EQ(nodes.size(), 8U);
+    EXPECT_EQ(nodes.back()["extras"]["concepts"], (std::vector<std::string>{"Top", "Upper"}));
 }
 
 TEST(Glb, EveryUpIsTurnedToYWithoutMirroring) {

@@ -38,6 +38,20 @@ TEST(Preview, LegendHasTheExactColors) {
         EXPECT_GE(std::ranges::count(picture.pixels, color_of(part)), 100) << part.id;
 }
 
+TEST(Preview, LegendNamesCompositePartsInTheColorsOfTheirPieces) {
+    const zoo::Annotated plain = zoo::bench(), made_up = zoo::made_up_bench();
+    const auto swatches = [](const zoo::Annotated& object, Color color) {  // exact colours occur in the legend alone
+        const Picture picture = decode(to_png(object.mesh, object.annotation, Vec3::UnitZ()));
+        int count = 0;
+        for (int y = 0; y < picture.height; ++y)
+            for (int x = picture.width / 2; x < picture.width; ++x) count += picture.at(x, y) == color ? 1 : 0;
+        return count;
+    };
+    const Color seat{0x4e, 0x79, 0xa7}, backrest{0xf2, 0x8e, 0x2b};
+    EXPECT_NEAR(swatches(made_up, seat), 2 * swatches(plain, seat), 20);          // also in Top
+    EXPECT_NEAR(swatches(made_up, backrest), 3 * swatches(plain, backrest), 20);  // also in Back and Top
+}
+
 TEST(Preview, SameBytesOnAnyNumberOfThreadsAndEveryTime) {
     const zoo::Annotated object = zoo::broken_bench();
     const std::string once = to_png(object.mesh, object.annotation, Vec3::UnitZ());

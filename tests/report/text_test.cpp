@@ -46,6 +46,15 @@ TEST(PartNames, NumberedOnlyWhereNeededAndAllDifferent) {
     EXPECT_EQ(part_names(object.annotation), (std::vector<std::string>{"Leg 1", "unnamed", "Leg 1'", "Leg 2"}));
 }
 
+TEST(PartNames, OfCompositePartsAndCounted) {
+    zoo::Annotated object = zoo::made_up_bench();
+    EXPECT_EQ(composite_names(object.annotation), (std::vector<std::string>{"LegPair", "Back", "Top"}));
+    object.annotation.composites[1].concepts = {"LegPair"};
+    EXPECT_EQ(composite_names(object.annotation), (std::vector<std::string>{"LegPair 1", "LegPair 2", "Top"}));
+    EXPECT_EQ(counted({"Seat", "Leg", "Leg"}), "Leg x2, Seat");
+    EXPECT_EQ(counted({}), "");
+}
+
 TEST(Labels, OneLineAFaceWhateverTheNameHolds) {
     zoo::Annotated object = zoo::broken_bench();
     object.annotation.labels[1] = "";
@@ -152,6 +161,16 @@ TEST(Trace, TellsQuestionsConclusionPartsAndDiagnosis) {
         if (found != std::string::npos) from = found;
     }
     EXPECT_EQ(text.find(" \n"), std::string::npos) << "blanks at the end of a line";
+}
+
+TEST(Trace, TellsWhatCompositePartsAreMadeOf) {
+    const std::string trace = to_trace(zoo::made_up_bench().annotation);
+    EXPECT_NE(trace.find("\nComposite parts\n"
+                         "  LegPair: part 3 (Leg), part 4 (Leg)\n"
+                         "  Back: part 2 (Backrest)\n"
+                         "  Top, also Upper: part 1 (Seat), part 2 (Backrest)\n"),
+              std::string::npos)
+        << trace;
 }
 
 TEST(Trace, OfNothing) {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "mesh/triangle_mesh.h"
 #include "expert/annotation.h"
+#include "mesh/triangle_mesh.h"
 
 namespace partonomy::zoo {
 
@@ -113,6 +113,14 @@ inline Annotated broken_bench() {
         part.faces = 0;
     }
     complete(object);
+    return object;
+}
+
+/// The bench with composite parts in two layers: its legs, and what one sits on, which holds all but the legs.
+inline Annotated made_up_bench() {
+    Annotated object = bench();
+    object.annotation.composites = {
+        {1, {"LegPair"}, {3, 4}, {}}, {2, {"Back"}, {2}, {}}, {3, {"Top", "Upper"}, {1, 2}, {2}}};
     return object;
 }
 
