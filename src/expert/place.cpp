@@ -28,7 +28,7 @@ constexpr std::array<const char*, 4> unit_words = {"m", "cm", "mm", "in"};
 constexpr double trusted = 0.7;                                         // confidence of a unit, at least
 constexpr double least_plausible = 0.05;                                // of a unit's best placement
 constexpr double unrecognised = 0.1, forbidden = 0.9, toppling = 0.05;  // what each takes off
-constexpr double upside_down = 0.8, lopsided = 0.2;
+constexpr double upside_down = 0.96, lopsided = 0.2;
 
 /// Trapezoids of core:typicalHeight by the local name of the concept.
 std::map<std::string, Trapezoid> typical_heights(const knowledge::Domain& domain) {
