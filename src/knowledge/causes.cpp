@@ -4,26 +4,33 @@
 
 #include "knowledge/object_clauses.h"
 
-// Ask for one region that is a member (or for an object with as many parts as could be needed), with every axiom as a
-// selector: the minimal conflicts are the causes. Features and the exclusion of their values are no axioms to blame.
+// Ask for one region that is a member (or for an object, or a composite part, with as many parts as could be needed),
+// with every axiom as a selector: the minimal conflicts are the causes. Features and the exclusion of their values are
+// no axioms to blame.
 
 namespace partonomy::knowledge {
 namespace {
 
 constexpr std::size_t most_to_enumerate = 60;  // axioms; beyond, one cause has to do
-constexpr double most_seconds = 0.2;           // for the causes after the first
+constexpr std::size_t most_parts_of_composites = 40;
+constexpr double most_seconds = 0.2;  // for the causes after the first
 
 std::vector<Cause> causes(const Theory& theory, Level level, int goal, std::size_t limit) {
-    if (!can_express(theory)) return {};
     ObjectClauses object(theory);
-    if (level == Level::region)
+    if (level == Level::region) {
         (void)object.add_region();
-    else
-        object.add_further_parts(parts_for(theory, goal));
+    } else {
+        const std::size_t parts = parts_for(theory, goal);
+        if (!theory.groups.empty() && parts > most_parts_of_composites) return {};
+        object.add_further_parts(parts);
+    }
     object.require_constraints(Level::region);
+    if (level != Level::region) object.require_constraints(Level::composite);
     if (level == Level::object) object.require_constraints(Level::object);
     if (goal >= 0)
-        object.clauses.add({level == Level::region ? object.region_concept(0, goal) : object.object_concept(goal)});
+        object.clauses.add({level == Level::region      ? object.region_concept(0, goal)
+                            : level == Level::composite ? object.some_composite(goal)
+                                                        : object.object_concept(goal)});
 
     const std::vector<std::size_t> axioms = object.axioms();
     std::vector<Selector> selectors;

@@ -203,8 +203,8 @@ std::vector<std::size_t> places(const std::vector<char>& kept) {
 }
 
 /// Conclusions from a listed space take microseconds; from a compiled one the solver is faster.
-bool prefers_solver(const Domain& domain) {
-    return domain.regions.diagram != nullptr && can_express(domain.grounding->theory);
+bool prefers_solver(const Domain& domain, const Knowledge& knowledge) {
+    return domain.regions.diagram != nullptr && (knowledge.complete || domain.grounding->theory.groups.empty());
 }
 
 /// Whether a concept of one region is asked about in a compiled space: what is known of the other regions says nothing
@@ -251,7 +251,7 @@ Explanation explain(const Domain& domain, const Knowledge& knowledge, const Iri&
         explanation.answers = excerpt.in_all(std::move(explanation.answers));
         return explanation;
     }
-    if (prefers_solver(domain)) return one_reason(domain, knowledge, concept_iri, region_asked);
+    if (prefers_solver(domain, knowledge)) return one_reason(domain, knowledge, concept_iri, region_asked);
     const Conclusions conclusions = conclude(domain, knowledge);
     const Theory& theory = domain.grounding->theory;
     const auto refuse = [&] {
@@ -350,8 +350,7 @@ Explanations all_explanations(const Domain& domain, const Knowledge& knowledge, 
                               const ExplanationOptions& options) {
     if (needs_mesh_world(domain, knowledge))
         return MeshReasoner(domain, knowledge).explain_all(concept_iri, region, options);
-    if (can_express(domain.grounding->theory)) return all_reasons(domain, knowledge, concept_iri, region, options);
-    return {{explain(domain, knowledge, concept_iri, region)}, false};
+    return all_reasons(domain, knowledge, concept_iri, region, options);
 }
 
 std::vector<Correction> corrections(const Domain& domain, const Knowledge& knowledge, const Iri& concept_iri,
@@ -369,11 +368,11 @@ std::vector<Correction> corrections(const Domain& domain, const Knowledge& knowl
         for (Correction& each : found) each.answers = excerpt.in_all(std::move(each.answers));
         return found;
     }
-    if (prefers_solver(domain)) return cheapest_changes(domain, knowledge, concept_iri, costs, region, options);
+    if (prefers_solver(domain, knowledge)) return cheapest_changes(domain, knowledge, concept_iri, costs, region, options);
     if (domain.regions.diagram != nullptr) return {};  // sets of a compiled space cannot be tried one by one
     CorrectionSearch search(domain, knowledge, concept_iri, costs, region);
     std::vector<Correction> found = search.run(options.limit);
-    if (found.empty() && search.is_cut_short() && can_express(domain.grounding->theory))
+    if (found.empty() && search.is_cut_short())
         return cheapest_changes(domain, knowledge, concept_iri, costs, region, options);
     return found;
 }

@@ -271,7 +271,7 @@ private:
         Relations relations;
         if (!space.diagram)
             relations = relate_listed(space, concepts);
-        else if (can_express(theory_))
+        else
             relations = Sampler(theory_, space, concepts).run();
         for (const std::size_t c : relations.universal)
             add(FindingKind::universal, false, {space.concepts[c].iri}, place_of(space.concepts[c].iri),

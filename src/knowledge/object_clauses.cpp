@@ -7,6 +7,8 @@
    How many further parts are enough? Take any object that is what we look for. Write what we look for with negations
    pushed inwards; each "at least k parts are C" that then stands without a negation and is true keeps k witnesses.
    Everything else may go: counts only sink, so what stands under a negation stays true. Hence the sum of these k.
+   A composite part is spoilt when its parts go, so each keeps as many as its concepts count, wanted or not, and each
+   part that is kept may be in one.
 
    Only what was asked for is written down, so the clauses are those of the goal's cone. Cost: parts x (size of the
    cone), and for each count literals x k. */
@@ -32,6 +34,7 @@ public:
     void look_for(FormulaId id, bool positive) {
         if (!seen_.emplace(id, positive).second) return;
         const Formula& formula = theory_.formulas[id];
+        if (formula.kind == Formula::Kind::parts && formula.part_level == Level::composite) look_inside(formula.index);
         if (formula.kind == Formula::Kind::parts && positive) {
             std::size_t& cap = caps_[formula.index];
             cap = std::max<std::size_t>(cap, formula.threshold);
@@ -41,46 +44,59 @@ public:
         for (const FormulaId operand : formula.operands) look_for(operand, positive);
     }
     void look_for_concept(int id, bool positive) {
-        if (theory_.concepts[id].definition >= 0) look_for(theory_.concepts[id].definition, positive);
+        const NamedConcept& named = theory_.concepts[id];
+        if (named.definition < 0) return;
+        look_for(named.definition, positive);
+        if (named.level == Level::composite) look_inside(named.definition);
     }
     [[nodiscard]] std::size_t count() {
         for (const Constraint& constraint : theory_.constraints)
             if (constraint.level == Level::object) look_for(constraint.formula, true);
-        std::size_t sum = 0;
-        for (const auto& [formula, cap] : caps_) sum += cap;
+        std::size_t sum = sum_of(caps_);
+        if (!has_composites_) return sum;
+        for (const Constraint& constraint : theory_.constraints)
+            if (constraint.level == Level::composite) look_inside(constraint.formula);
+        sum = std::max<std::size_t>(sum, 1);
+        const std::size_t each = 1 + sum_of(inner_caps_);
+        const bool is_nested =
+            std::ranges::any_of(theory_.groups, [](const Group& group) { return !group.inner.empty(); });
+        for (std::size_t level = 0; level < (is_nested ? theory_.groups.size() : 1) && sum <= most_parts; ++level)
+            sum *= each;
         return sum;
     }
 
 private:
+    [[nodiscard]] static std::size_t sum_of(const std::map<FormulaId, std::size_t>& caps) {
+        std::size_t sum = 0;
+        for (const auto& [formula, cap] : caps) sum += cap;
+        return sum;
+    }
+    /// What a composite part counts, wanted or not.
+    void look_inside(FormulaId id) {
+        has_composites_ = true;
+        if (!inside_.insert(id).second) return;
+        const Formula& formula = theory_.formulas[id];
+        if (formula.kind == Formula::Kind::parts) {
+            std::size_t& cap = inner_caps_[formula.index];
+            cap = std::max<std::size_t>(cap, formula.threshold);
+            if (formula.part_level == Level::composite) look_inside(formula.index);
+        }
+        if (formula.kind == Formula::Kind::named && theory_.concepts[formula.index].definition >= 0)
+            look_inside(theory_.concepts[formula.index].definition);
+        for (const FormulaId operand : formula.operands) look_inside(operand);
+    }
+
     const Theory& theory_;
     std::set<std::pair<FormulaId, bool>> seen_;
-    std::map<FormulaId, std::size_t> caps_;
+    std::set<FormulaId> inside_;
+    std::map<FormulaId, std::size_t> caps_, inner_caps_;  ///< of the object; of one composite part
+    bool has_composites_ = false;
 };
 
 }  // namespace
 
-bool can_express(const Theory& theory) {
-    const bool has_plain_concepts = std::ranges::all_of(theory.concepts, [](const NamedConcept& named) {
-        return named.level == Level::region || named.level == Level::object;
-    });
-    return has_plain_concepts && std::ranges::all_of(theory.formulas, [](const Formula& formula) {
-               switch (formula.kind) {
-                   case Formula::Kind::truth:
-                   case Formula::Kind::falsity:
-                   case Formula::Kind::conjunction:
-                   case Formula::Kind::disjunction:
-                   case Formula::Kind::negation:
-                   case Formula::Kind::choice:
-                   case Formula::Kind::named:
-                   case Formula::Kind::parts:
-                       return true;
-                   default:
-                       return false;
-               }
-           });
-}
-
-ObjectClauses::ObjectClauses(const Theory& theory, bool switchable) : theory_(theory), switchable_(switchable) {
+ObjectClauses::ObjectClauses(const Theory& theory, bool switchable)
+    : theory_(theory), switchable_(switchable), composites_(theory.groups.size()) {
     object_ = make_member(clauses.always());
 }
 
@@ -149,6 +165,7 @@ std::vector<std::size_t> ObjectClauses::axioms() const {
 int ObjectClauses::concept_literal(Member& member, int id) {
     if (member.concepts[id] != 0) return member.concepts[id];
     const NamedConcept& named = theory_.concepts[id];
+    if (member.group >= 0 && named.group >= 0 && named.group != member.group) return clauses.never();
     if (named.definition < 0) return member.concepts[id] = clauses.add_variable();
     const int definition = literal(member, named.definition);
     if (!switchable_) return member.concepts[id] = definition;
@@ -172,10 +189,15 @@ int ObjectClauses::literal(Member& member, FormulaId id) {
 
 int ObjectClauses::make(Member& member, FormulaId id) {
     const auto count_parts = [&](const Formula& formula) {
-        if (formula.threshold > parts_.size()) return clauses.never();
+        if (formula.part_level == Level::composite) return composite_count(member, formula);
         std::vector<int> members;
-        for (Member& part : parts_) members.push_back(clauses.all_of({part.present, literal(part, formula.index)}));
-        return clauses.at_least(members, formula.threshold);
+        for (std::size_t part = 0; part < (member.group < 0 ? parts_.size() : region_count()); ++part) {
+            const int is_there = member.group < 0
+                                     ? parts_[part].present
+                                     : composites(static_cast<std::size_t>(member.group)).holds[member.first][part];
+            members.push_back(clauses.all_of({is_there, literal(parts_[part], formula.index)}));
+        }
+        return formula.threshold > members.size() ? clauses.never() : clauses.at_least(members, formula.threshold);
     };
     return formula_literal(
         clauses, theory_.formulas[id], [&](FormulaId operand) { return literal(member, operand); },
@@ -187,15 +209,18 @@ void ObjectClauses::require_constraints(Level level) {
     const auto require = [&](Member& member, const Constraint& constraint) {
         std::vector<int> clause = unless_off(constraint.axiom);
         clause.push_back(-member.present);
+        if (level == Level::composite && known_ > 0) clause.push_back(-no_further_parts());
         clause.push_back(literal(member, constraint.formula));
         clauses.add(clause);
     };
     for (const Constraint& constraint : theory_.constraints) {
         if (constraint.level != level) continue;
-        if (level == Level::object)
-            require(object_, constraint);
-        else
-            for (Member& part : parts_) require(part, constraint);
+        if (level == Level::object) require(object_, constraint);
+        for (std::size_t part = 0; level == Level::region && part < parts_.size(); ++part)
+            require(parts_[part], constraint);
+        for (std::size_t g = 0; level == Level::composite && g < composites_.size(); ++g)
+            for (std::size_t first = 0; first < region_count(); ++first)
+                require(composites(g).members[first], constraint);
     }
 }
 

@@ -30,8 +30,9 @@ bool is_in(const Space& space, const ConfigurationSet& set, const Iri& iri) {
 /// What is to be explained, and where.
 struct Goal {
     int id = -1;                  ///< concept of the theory, -1 for a contradiction
-    Level level = Level::object;  ///< region: the goal is about `regions` alone
+    Level level = Level::object;  ///< region: the goal is about `regions` alone; composite: about `part`
     std::vector<int> regions;     ///< whose answers count
+    CompositePart part;           ///< composite: the one that is a member
 };
 
 std::vector<int> all_but_empty(const std::vector<ConfigurationSet>& regions) {
@@ -54,6 +55,12 @@ Goal find_goal(const Domain& domain, const Conclusions& known, const Iri& iri, i
         goal.id = domain.grounding->theory.find(iri);
         goal.regions = all_but_empty(known.regions);
         if (is_in(*known.objects, known.object, iri)) return goal;
+        goal.level = Level::composite;
+        for (const CompositePart& part : known.composites)
+            if (is_in(domain.composites[static_cast<std::size_t>(part.group)].space, part.possible, iri)) {
+                goal.part = part;
+                return goal;
+            }
         goal.level = Level::region;
         for (const int r : goal.regions)
             if ((region < 0 || r == region) && is_in(domain.regions, known.regions[r], iri)) {
@@ -79,6 +86,12 @@ int literal_of(const Domain& domain, ObjectClauses& object, std::size_t part, co
     return answer.yes ? literal : -literal;
 }
 
+/// Tells which of the regions touch; `parts`: their numbers in the object.
+void touch(ObjectClauses& object, const std::map<int, std::size_t>& parts, const Knowledge& knowledge) {
+    for (const auto& [a, b] : knowledge.connected)
+        if (parts.contains(a) && parts.contains(b)) object.touch(parts.at(a), parts.at(b));
+}
+
 /// An object in which the goal fails, with what speaks against that as selectors.
 class Reasons {
 public:
@@ -95,10 +108,17 @@ public:
         if (goal.level == Level::object)
             object_.add_further_parts(
                 parts_that_help(theory_, goal.id < 0 ? std::vector<int>{} : std::vector{goal.id}));
+        touch(object_, parts, knowledge);
         object_.require_constraints(Level::region);
+        if (goal.level != Level::region) object_.require_constraints(Level::composite);
         if (goal.level == Level::object) {
             object_.require_constraints(Level::object);
             if (goal.id >= 0) object_.clauses.add({-object_.object_concept(goal.id)});
+        } else if (goal.level == Level::composite) {
+            std::vector<std::size_t> regions;
+            for (const int region : goal.part.regions) regions.push_back(parts.at(region));
+            object_.clauses.add(
+                {-object_.composite_concept(static_cast<std::size_t>(goal.part.group), regions, goal.id)});
         } else if (goal.id >= 0) {
             object_.clauses.add({-object_.region_concept(0, goal.id)});
         }
@@ -108,6 +128,7 @@ public:
                 literals[i] = literal_of(domain, object_, part->second, knowledge.answers[i]);
 
         if (knowledge.complete && goal.level == Level::object) add(Kind::completeness, 0, object_.no_further_parts());
+        always_needs_completeness_ = goal.level == Level::composite;  // who belongs to it is known only then
         const std::vector<char> own = defining_axioms(theory_, goal.id, domain.ontology.axioms.size());
         for (const std::size_t axiom : object_.axioms())
             if (!own[axiom]) add(Kind::axiom, axiom, object_.selector(axiom));
@@ -150,6 +171,7 @@ private:
     }
     [[nodiscard]] Explanation explanation(const SelectorSet& set, std::size_t begin) const {
         Explanation result;
+        result.needs_completeness = always_needs_completeness_;
         for (const std::size_t i : set) {
             const Element& element = elements_[begin + i];
             if (element.kind == Kind::completeness) result.needs_completeness = true;
@@ -165,6 +187,7 @@ private:
     std::vector<Element> elements_;
     std::vector<Selector> selectors_;
     std::size_t first_answer_ = 0;
+    bool always_needs_completeness_ = false;
 };
 
 }  // namespace
@@ -194,7 +217,8 @@ std::vector<Correction> cheapest_changes(const Domain& domain, const Knowledge& 
     const Theory& theory = domain.grounding->theory;
     std::vector<int> unwanted;  // concepts of the object that must not hold
     if (goal.id >= 0 && goal.level == Level::object) unwanted.push_back(goal.id);
-    const bool with_object = can_express(theory);  // else the goal is about a region
+    // What is not wanted of composite parts is only told where they are known.
+    const bool with_object = theory.groups.empty() || (knowledge.complete && goal.level != Level::region);
     for (const Concept& each : known.objects->concepts)
         if (with_object && each.incompatible && !is_in(*known.objects, known.object, each.iri))
             unwanted.push_back(theory.find(each.iri));
@@ -205,14 +229,25 @@ std::vector<Correction> cheapest_changes(const Domain& domain, const Knowledge& 
     for (int r = 0; r < knowledge.region_count; ++r)
         if (!has_goal || !known.regions[r].is_empty()) parts[r] = object.add_region();
     if (!knowledge.complete) object.add_further_parts(parts_that_help(theory, unwanted));
+    touch(object, parts, knowledge);
     object.require_constraints(Level::region);
+    if (with_object) object.require_constraints(Level::composite);
     if (with_object) object.require_constraints(Level::object);
+    if (has_goal && goal.level == Level::composite) object.clauses.add({-object.some_composite(goal.id)});
     if (has_goal && goal.level == Level::region)
         object.clauses.add({-object.region_concept(parts.at(goal.regions[0]), goal.id)});
     if (has_goal && goal.level == Level::object) object.clauses.add({-object.object_concept(goal.id)});
     std::vector<int> others;  // that must not hold either, if that is possible
     for (const int id : unwanted)
         if (id != goal.id) others.push_back(-object.object_concept(id));
+    for (std::size_t id = 0; with_object && id < theory.concepts.size(); ++id) {
+        const NamedConcept& named = theory.concepts[id];
+        if (named.level != Level::composite || !named.incompatible || static_cast<int>(id) == goal.id) continue;
+        const bool follows = std::ranges::any_of(known.composites, [&](const CompositePart& part) {
+            return is_in(domain.composites[static_cast<std::size_t>(part.group)].space, part.possible, named.iri);
+        });
+        if (!follows) others.push_back(-object.some_composite(static_cast<int>(id)));
+    }
     for (const Concept& each : domain.regions.concepts)
         if (each.incompatible)
             for (const auto& [r, part] : parts)

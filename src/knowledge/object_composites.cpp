@@ -1,0 +1,116 @@
+/* The composite parts of an object as clauses.
+
+   Composite parts are largest connected sets of regions that belong to a group (groups.cpp), and which regions belong
+   follows from their features, which are literals here. So is whether two of them are joined by a chain of regions that
+   touch: with T(a, b) for "a and b belong and touch", one region k after the other may lie on the chain,
+
+       T(a, b)  or  (T(a, k) and T(k, b)),
+
+   as Floyd and Warshall have it; gates are made only where they are not constants, and regions of a known mesh touch
+   few others. The first region of each connected set stands for it: a composite part for each region, there when the
+   region belongs and is joined to none before it. Its concepts are literals as those of a region are.
+
+   Cost: regions^3 gates for each group at worst. */
+
+#include "knowledge/object_clauses.h"
+
+namespace partonomy::knowledge {
+
+int ObjectClauses::touching(std::size_t a, std::size_t b) {
+    int& literal = touching_[std::minmax(a, b)];
+    if (literal == 0) literal = known_ > 0 ? clauses.never() : clauses.add_variable();
+    return literal;
+}
+
+ObjectClauses::Composites& ObjectClauses::composites(std::size_t g) {
+    Composites& made = composites_[g];
+    const std::size_t count = region_count();
+    if (made.members.size() == count) return made;
+    const Group& group = theory_.groups[g];
+    std::vector<int> belongs;
+    for (std::size_t r = 0; r < count; ++r) {
+        std::vector<int> ways{literal(parts_[r], group.regions)};
+        for (const int h : group.inner) {
+            Composites& inner = composites(static_cast<std::size_t>(h));
+            for (std::size_t first = 0; first <= r; ++first)
+                ways.push_back(
+                    clauses.all_of({inner.holds[first][r], literal(inner.members[first], group.composites)}));
+        }
+        belongs.push_back(clauses.all_of({parts_[r].present, clauses.any_of(ways)}));
+    }
+    std::vector<std::vector<int>> joined(count, std::vector<int>(count, clauses.never()));
+    for (std::size_t a = 0; a < count; ++a)
+        for (std::size_t b = a + 1; b < count; ++b)
+            joined[a][b] = joined[b][a] = clauses.all_of({touching(a, b), belongs[a], belongs[b]});
+    for (std::size_t k = 0; k < count; ++k)
+        for (std::size_t a = 0; a < count; ++a)
+            for (std::size_t b = a + 1; b < count; ++b) {
+                if (a == k || b == k) continue;
+                const int way = clauses.all_of({joined[a][k], joined[k][b]});
+                joined[a][b] = joined[b][a] = clauses.any_of({joined[a][b], way});
+            }
+    made.holds.assign(count, std::vector<int>(count, clauses.never()));
+    for (std::size_t first = 0; first < count; ++first) {
+        std::vector<int> conditions{belongs[first]};
+        for (std::size_t before = 0; before < first; ++before) conditions.push_back(-joined[before][first]);
+        const int present = clauses.all_of(conditions);
+        made.holds[first][first] = present;
+        for (std::size_t r = first + 1; r < count; ++r)
+            made.holds[first][r] = clauses.all_of({present, joined[first][r]});
+        Member member = make_member(present);
+        member.group = static_cast<int>(g);
+        member.first = first;
+        made.members.push_back(std::move(member));
+    }
+    return made;
+}
+
+int ObjectClauses::lies_within(const Member& whole, const Composites& inner, const Member& part) {
+    std::vector<int> conditions{part.present};
+    if (whole.group >= 0) {
+        const std::vector<int>& held = composites(static_cast<std::size_t>(whole.group)).holds[whole.first];
+        for (std::size_t r = 0; r < held.size(); ++r)
+            conditions.push_back(clauses.any_of({-inner.holds[part.first][r], held[r]}));
+    }
+    return clauses.all_of(conditions);
+}
+
+int ObjectClauses::composite_count(const Member& whole, const Formula& formula) {
+    std::vector<int> members;
+    for (std::size_t g = 0; g < composites_.size(); ++g) {
+        if (whole.group >= 0 &&
+            std::ranges::count(theory_.groups[static_cast<std::size_t>(whole.group)].inner, static_cast<int>(g)) == 0)
+            continue;
+        Composites& inner = composites(g);
+        for (Member& part : inner.members)
+            members.push_back(clauses.all_of({lies_within(whole, inner, part), literal(part, formula.index)}));
+    }
+    const int exact =
+        formula.threshold > members.size() ? clauses.never() : clauses.at_least(members, formula.threshold);
+    if (whole.group >= 0 || known_ == 0 || known_ == parts_.size()) return exact;
+    const int open = clauses.add_variable();  // with further parts, there may be others
+    clauses.add({-no_further_parts(), -open, exact});
+    clauses.add({-no_further_parts(), open, -exact});
+    return open;
+}
+
+int ObjectClauses::composite_concept(std::size_t group, const std::vector<std::size_t>& regions, int id) {
+    Composites& all = composites(group);
+    Member& part = all.members[regions[0]];
+    std::vector<int> conditions{part.present, concept_literal(part, id)};
+    for (std::size_t r = 0; r < region_count(); ++r) {
+        const int held = all.holds[part.first][r];
+        conditions.push_back(std::ranges::binary_search(regions, r) ? held : -held);
+    }
+    return clauses.all_of(conditions);
+}
+
+int ObjectClauses::some_composite(int id) {
+    std::vector<int> members;
+    for (std::size_t g = 0; g < composites_.size(); ++g)
+        for (Member& part : composites(g).members)
+            members.push_back(clauses.all_of({part.present, concept_literal(part, id)}));
+    return clauses.any_of(members);
+}
+
+}  // namespace partonomy::knowledge
