@@ -31,6 +31,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <numeric>
 
@@ -187,10 +188,27 @@ void look_around(const Surface& s, std::vector<Sampled>& components, bool slante
         seeds_a_piece);
 }
 
+/// Which component each triangle belongs to, or -1, and in it which cell. Components can be divided side by side: each
+/// looks at the cells of its own triangles only.
+struct Division {
+    std::vector<std::int32_t> component_of, cell_of;
+
+    Division(const Surface& s, const std::vector<Sampled>& sampled)
+        : component_of(s.count(), -1), cell_of(sampled.empty() ? 0 : s.count(), -1) {
+        for (std::size_t k = 0; k < sampled.size(); ++k)
+            for (const std::int32_t i : sampled[k].component.triangles) component_of[i] = static_cast<std::int32_t>(k);
+    }
+};
+
 /// Cuts one component where it changes between board and stick or where a stick turns a corner.
 class Divider {
 public:
-    Divider(const Surface& surface, bool slanted) : s_(surface), slanted_(slanted), cell_of_(surface.count(), -1) {}
+    Divider(const Surface& surface, bool slanted, Division& division, std::size_t component)
+        : s_(surface),
+          slanted_(slanted),
+          component_of_(division.component_of),
+          own_(static_cast<std::int32_t>(component)),
+          cell_of_(division.cell_of) {}
 
     void divide(Sampled sampled, std::vector<Core>& out) {
         const Core& component = sampled.component;
@@ -204,10 +222,11 @@ public:
                 if (same_part(cells_[a], cells_[b], slanted_)) sets.join(static_cast<std::int32_t>(a), b);
         absorb_small(sets, component);
         emit(component, sets, out);
-        for (const std::int32_t i : component.triangles) cell_of_[i] = -1;
     }
 
 private:
+    [[nodiscard]] bool is_own(std::int32_t i) const { return i >= 0 && component_of_[i] == own_; }
+
     [[nodiscard]] std::int32_t nearest_seed(std::int32_t i) const {
         const auto distance = [&](std::int32_t seed) {
             return (s_.geometry.barycentres[seed] - s_.geometry.barycentres[i]).squaredNorm();
@@ -220,19 +239,18 @@ private:
     /// Every triangle goes to the seed that reaches it first, over edges, then through the thickness; islands without a
     /// seed go to the nearest one.
     void spread(const Core& component) {
-        for (const std::int32_t i : component.triangles) cell_of_[i] = -2;
         std::vector<std::int32_t> queue;
         for (std::size_t k = 0; k < seeds_.size(); ++k) {
             cell_of_[seeds_[k]] = static_cast<std::int32_t>(k);
             queue.push_back(seeds_[k]);
             const std::int32_t o = s_.thickness.opposites[seeds_[k]];
-            if (o >= 0 && cell_of_[o] == -2) {
+            if (is_own(o) && cell_of_[o] < 0) {
                 cell_of_[o] = static_cast<std::int32_t>(k);
                 queue.push_back(o);
             }
         }
         const auto visit = [&](std::int32_t from, std::int32_t to) {
-            if (to < 0 || cell_of_[to] != -2) return;
+            if (!is_own(to) || cell_of_[to] >= 0) return;
             cell_of_[to] = cell_of_[from];
             queue.push_back(to);
         };
@@ -250,7 +268,7 @@ private:
         }
         std::vector<std::pair<std::int32_t, std::int32_t>> pairs;
         const auto meet = [&](std::int32_t i, std::int32_t j) {
-            if (j >= 0 && cell_of_[j] >= 0 && cell_of_[i] != cell_of_[j]) {
+            if (is_own(j) && cell_of_[i] != cell_of_[j]) {
                 pairs.emplace_back(cell_of_[i], cell_of_[j]);
                 pairs.emplace_back(cell_of_[j], cell_of_[i]);
             }
@@ -365,7 +383,9 @@ private:
 
     const Surface& s_;
     bool slanted_;  ///< the second search: walls that are not parallel; sticks are not parted where they turn
-    std::vector<std::int32_t> cell_of_;
+    const std::vector<std::int32_t>& component_of_;
+    std::int32_t own_;  ///< number of the component
+    std::vector<std::int32_t>& cell_of_;
     std::vector<Cell> cells_;
     std::vector<std::int32_t> seeds_;
 };
@@ -456,7 +476,7 @@ std::vector<Core> divide(const Surface& s, std::vector<Core> components, double 
                 if (!slanted) plain[k] = as_plain_piece(s, component.triangles, component.thickness, component.area);
             }
         },
-        4);
+        1);
     std::vector<Core> cores;
     std::vector<Sampled> sampled;
     for (std::size_t k = 0; k < components.size(); ++k) {
@@ -472,8 +492,16 @@ std::vector<Core> divide(const Surface& s, std::vector<Core> components, double 
         sampled.push_back({std::move(component), std::move(seeds), {}});
     }
     look_around(s, sampled, slanted);
-    Divider divider(s, slanted);
-    for (Sampled& component : sampled) divider.divide(std::move(component), cores);
+    Division division(s, sampled);
+    std::vector<std::vector<Core>> divided(sampled.size());
+    for_each_range(
+        sampled.size(), s.threads,
+        [&](std::size_t begin, std::size_t end) {
+            for (std::size_t k = begin; k < end; ++k)
+                Divider(s, slanted, division, k).divide(std::move(sampled[k]), divided[k]);
+        },
+        1);
+    for (std::vector<Core>& found : divided) std::ranges::move(found, std::back_inserter(cores));
     std::erase_if(cores, [&](const Core& core) { return core.kind == Solidity::unknown || too_small(core); });
     return cores;
 }
