@@ -71,22 +71,31 @@ std::vector<std::int32_t> vote(const Surface& s, const std::vector<std::int32_t>
     return winner;
 }
 
-constexpr double least_share = 1e-3;  // of the surface: smaller shells without a part stay without
+constexpr double least_share = 1e-3;   // of the surface: smaller shells without a part stay without
+constexpr double least_piece = 5e-3;   // of the surface: smaller pieces of parts are left to their neighbours,
+constexpr double least_of_part = 0.2;  // and so are those much smaller than the part's largest piece
 
-/// Pieces of one part that are one through the solid: the two sides of a thin sheet within one shell, as the floor of a
-/// mug and its underside are, and the panel of a door and what is seen of it from behind.
-Sets join_facing(const Surface& s, const Adjacency& adjacency, const std::vector<std::int32_t>& part_of,
-                 const std::vector<std::int32_t>& piece_of, std::size_t pieces) {
+/// What pieces of one part are to each other. The two sides of a thin sheet within one shell are one through the solid,
+/// as the floor of a mug and its underside are, or the panel of a door and what is seen of it from behind. A piece that
+/// mostly faces itself is a solid of its own: a leg below the seat that its back post ends on.
+struct Facing {
+    Sets sheets;
+    std::vector<char> is_solid;
+};
+
+Facing look_across(const Surface& s, const Adjacency& adjacency, const std::vector<std::int32_t>& part_of,
+                   const std::vector<std::int32_t>& piece_of, std::size_t pieces) {
     constexpr double facing = 0.5;  // of a piece's area
     constexpr double thin = 0.15;   // of the piece's width
-    Sets shells(pieces), sheets(pieces);
+    Facing facing_of{Sets(pieces), std::vector<char>(pieces, 0)};
+    Sets shells(pieces);
     for (std::size_t i = 0; i < piece_of.size(); ++i)
         for (const std::int32_t j : adjacency.neighbours[i])
             if (j >= 0 && piece_of[j] != piece_of[i]) shells.join(piece_of[i], piece_of[j]);
     struct Faced {
         double area = 0, volume = 0;
     };
-    std::vector<double> area(pieces, 0.0);
+    std::vector<double> area(pieces, 0.0), own_area(pieces, 0.0);
     std::map<std::pair<std::int32_t, std::int32_t>, Faced> seen;
     const bool is_refined = part_of.size() != s.count();
     const auto caller = [&](std::size_t i) {
@@ -97,6 +106,7 @@ Sets join_facing(const Surface& s, const Adjacency& adjacency, const std::vector
         area[piece_of[own]] += s.geometry.areas[i];
         if (o < 0 || part_of[own] < 0) continue;
         const std::int32_t other = caller(static_cast<std::size_t>(o)), a = piece_of[own], b = piece_of[other];
+        if (a == b) own_area[a] += s.geometry.areas[i];
         if (a == b || part_of[other] != part_of[own] || shells.find(a) != shells.find(b)) continue;
         Faced& faced = seen[{a, b}];
         faced.area += s.geometry.areas[i];
@@ -105,14 +115,15 @@ Sets join_facing(const Surface& s, const Adjacency& adjacency, const std::vector
     for (const auto& [pair, faced] : seen) {
         const double whole = area[pair.first];
         if (faced.area > facing * whole && faced.volume < thin * faced.area * std::sqrt(whole))
-            sheets.join(pair.first, pair.second);
+            facing_of.sheets.join(pair.first, pair.second);
     }
-    return sheets;
+    for (std::size_t k = 0; k < pieces; ++k) facing_of.is_solid[k] = own_area[k] > facing * area[k];
+    return facing_of;
 }
 
 /// Keeps the largest piece of each part, with those that are one with it through the solid, and gives the others to the
-/// neighbour with the longest common border; pieces without a neighbour (separate shells) stay, as parts of their own,
-/// and so do shells in which no part was found: they may be sheets.
+/// neighbour with the longest common border. Large pieces that are solids of their own become parts, and so do pieces
+/// without a neighbour (separate shells) and shells in which no part was found: they may be sheets.
 void connect(const Surface& s, const TriangleMesh& mesh, const Adjacency& adjacency, const TriangleGeometry& geometry,
              std::vector<std::int32_t>& part_of) {
     const double total = std::accumulate(geometry.areas.begin(), geometry.areas.end(), 0.0);
@@ -145,8 +156,9 @@ void connect(const Surface& s, const TriangleMesh& mesh, const Adjacency& adjace
             if (const std::int32_t part = part_of[piece.front()]; part >= 0) owners.push_back(part);
         std::sort(owners.begin(), owners.end());
         const bool is_whole = std::adjacent_find(owners.begin(), owners.end()) == owners.end();
-        Sets sheets = is_whole ? Sets(pieces.size()) : join_facing(s, adjacency, part_of, piece_of, pieces.size());
-        const auto set_of = [&](std::size_t piece) { return sheets.find(static_cast<std::int32_t>(piece)); };
+        Facing facing = is_whole ? Facing{Sets(pieces.size()), std::vector<char>(pieces.size(), 0)}
+                                 : look_across(s, adjacency, part_of, piece_of, pieces.size());
+        const auto set_of = [&](std::size_t piece) { return facing.sheets.find(static_cast<std::int32_t>(piece)); };
         std::vector<double> set_area(pieces.size(), 0.0);
         for (std::size_t k = 0; k < pieces.size(); ++k) set_area[set_of(k)] += area[k];
         std::vector<std::int32_t> largest(parts, -1);  // set of pieces
@@ -173,7 +185,11 @@ void connect(const Surface& s, const TriangleMesh& mesh, const Adjacency& adjace
                     at->second += length;
                 }
             std::int32_t to = -1;
-            if (!borders.empty()) {
+            const bool is_part = part >= 0 && facing.is_solid[k] != 0 && area[k] > least_piece * total &&
+                                 area[k] > least_of_part * area[static_cast<std::size_t>(largest[part])];
+            if (is_part) {
+                to = parts++;
+            } else if (!borders.empty()) {
                 to = std::max_element(borders.begin(), borders.end(), [](const auto& a, const auto& b) {
                          return a.second != b.second ? a.second < b.second : a.first > b.first;
                      })->first;
