@@ -26,6 +26,20 @@ const char* word_of(Signature signature) {
 
 const char* word_of(Origin origin) { return origin == Origin::own ? "own" : "derived"; }
 
+/// Numbers that axioms compare, as core has them: the property and what it measures.
+std::vector<std::pair<std::string, std::string>> number_properties() {
+    const owl::Ontology core = owl::parse_ontology(owl::core_ontology_text(), "core.ttl");
+    std::vector<std::pair<std::string, std::string>> numbers;
+    for (const owl::Entity& entity : core.entities) {
+        const auto annotations = core.annotations.find(entity.iri);
+        if (entity.kind != owl::EntityKind::data_property || annotations == core.annotations.end()) continue;
+        for (const owl::Annotation& annotation : annotations->second)
+            if (owl::local_name(annotation.property) == "measure")
+                numbers.emplace_back(owl::local_name(entity.iri), annotation.literal.value);
+    }
+    return numbers;
+}
+
 void print_text(const Catalogue& catalogue) {
     fmt::print("{:<9} {:<18} {:>5}  {:<7}  {}\n", "signature", "concept", "cost", "origin", "how");
     for (const ElementaryAlgorithm& algorithm : catalogue.algorithms)
@@ -34,6 +48,8 @@ void print_text(const Catalogue& catalogue) {
     fmt::print("\n{:<16} {:<8} {}\n", "measure", "unit", "what it is");
     for (const Measure& measure : all_measures())
         fmt::print("{:<16} {:<8} {}\n", measure.name, measure.unit, measure.description);
+    fmt::print("\n{:<16} {}\n", "number", "what it measures, as in: height some xsd:double[>= 0.4]");
+    for (const auto& [property, measure] : number_properties()) fmt::print("{:<16} {}\n", property, measure);
     fmt::print("\n{:<18} {:<8} {:<8} {}\n", "between regions", "regions", "unit", "what it is");
     for (const RelationMeasure& measure : all_relation_measures())
         fmt::print("{:<18} {:<8} {:<8} {}\n", measure.name, measure.arity, measure.unit, measure.description);
@@ -58,6 +74,9 @@ void print_json(const Catalogue& catalogue) {
             .member("unit", measure.unit)
             .member("description", measure.description)
             .end();
+    json.end().array("numbers");
+    for (const auto& [property, measure] : number_properties())
+        json.object_in_line().member("property", property).member("measure", measure).end();
     json.end().array("relation_measures");
     for (const RelationMeasure& measure : all_relation_measures())
         json.object_in_line()

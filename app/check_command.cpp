@@ -62,8 +62,8 @@ void print_space(const std::string& title, const Space& space) {
             fmt::print(" [{}]", words_of(variable));
         else
             fmt::print(" {} ({})", words_of(variable), fmt::join(variable.values, ", "));
-    fmt::print("\n  configurations: {} of {} satisfy the axioms, {} are possible\n", space.all().count_text(),
-               space.product_text(), space.possible.count_text());
+    fmt::print("\n  configurations: {} of {} satisfy the axioms, {} of these without anything Incompatible\n",
+               space.all().count_text(), space.product_text(), space.possible.count_text());
 }
 
 std::string place_of(const owl::Source& source) {

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "app/kept_annotation.h"
 #include "base/errors.h"
+#include "base/spelling.h"
 
 namespace partonomy::app {
 namespace {
@@ -31,7 +33,7 @@ void explain_part(const json& annotation, const json& part) {
     const std::string name = fmt::format("part {}", part.at("id").get<int>());
     const auto concepts = part.at("concepts").get<std::vector<std::string>>();
     fmt::print("{} is {} (score {:.3f}, {} faces)\n", name,
-               concepts.empty() ? "nothing that the ontology names" : fmt::format("a {}", fmt::join(concepts, ", ")),
+               concepts.empty() ? "nothing that the ontology names" : with_article(fmt::format("{}", fmt::join(concepts, ", "))),
                part.at("score").get<double>(), part.at("faces").get<std::int64_t>());
     for (const auto& [feature, value] : part.at("features").items())
         fmt::print("  {}: {}\n", feature, value.get<std::string>());
@@ -43,6 +45,53 @@ void explain_part(const json& annotation, const json& part) {
         fmt::print("  asked {}: {} (score {:.3f}){}{}\n", entry.at("question").get<std::string>(),
                    entry.at("answer").get<std::string>(), entry.at("score").get<double>(),
                    inferred.empty() ? "" : "; so ", fmt::join(inferred, ", "));
+    }
+}
+
+/// What kept its name open, where a part's name was assumed.
+void explain_open(const json& annotation, const json& part) {
+    const std::string beginning = fmt::format("part {} is assumed", part.at("id").get<int>());
+    for (const json& text : annotation.at("open_questions"))
+        if (text.get<std::string>().starts_with(beginning)) fmt::print("  open: {}\n", text.get<std::string>());
+}
+
+/// "part 2; parts 3, 4": each part, or composite part, that has the name.
+std::vector<std::string> bearers(const json& annotation, const std::string& name) {
+    std::vector<std::string> found;
+    const auto bears = [&](const json& each) {
+        const auto concepts = each.at("concepts").get<std::vector<std::string>>();
+        return std::ranges::find(concepts, name) != concepts.end();
+    };
+    for (const json& part : annotation.at("parts"))
+        if (bears(part)) found.push_back(fmt::format("part {}", part.at("id").get<int>()));
+    for (const json& composite : annotation.at("composites"))
+        if (bears(composite)) {
+            const auto parts = composite.at("parts").get<std::vector<int>>();
+            found.push_back(fmt::format("{} {}", parts.size() == 1 ? "part" : "parts", fmt::join(parts, ", ")));
+        }
+    return found;
+}
+
+/// The definition of what is impossible, which parts meet what it asks for, and whether there are too many of some.
+void print_in_short(const json& annotation, const json& diagnosis) {
+    const std::string beginning = diagnosis.at("concept").get<std::string>() + " EquivalentTo: ";
+    for (const json& axiom : diagnosis.at("axioms")) {
+        const auto text = axiom.get<std::string>();
+        if (!text.starts_with(beginning)) continue;
+        const std::string definition = text.substr(beginning.size());
+        static const std::regex counted("hasPart (some|min|exactly) ?([0-9]*) ([A-Za-z_][A-Za-z0-9_]*)");
+        for (std::sregex_iterator found(definition.begin(), definition.end(), counted), end; found != end; ++found) {
+            const std::string name = (*found)[3], number = (*found)[2];
+            const std::vector<std::string> all = bearers(annotation, name);
+            const std::size_t least = number.empty() || number.size() > 6 ? 1 : std::stoul(number);
+            if (all.empty() || all.size() < least) continue;
+            if (least > 1)
+                fmt::print("  {} too many: {} {} ({}), where {} or more are impossible\n", all.size() - least + 1,
+                           all.size(), name, fmt::join(all, "; "), least);
+            else
+                fmt::print("  its {}: {}\n", name, fmt::join(all, "; "));
+        }
+        fmt::print("  it is defined as {}\n", definition);
     }
 }
 
@@ -97,6 +146,7 @@ int run_explain(const Arguments& arguments) {
         for (const json& part : annotation.at("parts"))
             if (arguments.part == 0 || part.at("id") == arguments.part) {
                 explain_part(annotation, part);
+                explain_open(annotation, part);
                 is_found = true;
             }
         if (arguments.part != 0 && !is_found)
@@ -112,6 +162,7 @@ int run_explain(const Arguments& arguments) {
         for (const json& diagnosis : annotation.at("diagnosis")) {
             fmt::print("impossible: {}, because of part {}\n", diagnosis.at("concept").get<std::string>(),
                        fmt::join(diagnosis.at("parts").get<std::vector<int>>(), ", "));
+            print_in_short(annotation, diagnosis);
             if (diagnosis.contains("answers")) print_list("answers that lead to it", diagnosis.at("answers"));
             print_list("axioms that lead to it", diagnosis.at("axioms"));
             print_list("cheapest corrections", diagnosis.at("corrections"));

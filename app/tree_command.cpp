@@ -80,7 +80,10 @@ int run_tree(const Arguments& arguments) {
     limits.nodes = arguments.nodes;
     limits.leave_open = true;
     if (arguments.depth > 0) limits.depth = arguments.depth;
-    const knowledge::DecisionTree tree = build_tree(space, plan, find_all, limits);
+    knowledge::DecisionTree tree = build_tree(space, plan, find_all, limits);
+    // Where nothing that cuts tells anything, annotate cuts first and then asks of each part.
+    const bool is_cut_first = of_regions && tree.nodes.size() == 1;
+    if (is_cut_first) tree = build_tree(space, plan, {}, limits);
     const auto ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 
     if (arguments.output.empty())
@@ -89,6 +92,16 @@ int run_tree(const Arguments& arguments) {
         write_file(arguments.output, format->write(tree, domain));
     fmt::print(stderr, "{}: {} configurations, {} nodes, depth {}, {:.1f} ms from file to tree\n",
                arguments.ontology.path, space.possible.count_text(), tree.nodes.size(), tree.depth(), ms);
+    if (tree.nodes.size() == 1)
+        fmt::print(stderr, "{}: the tree asks nothing: {}\n", arguments.ontology.path,
+                   plan.wanted.empty() && !arguments.every_configuration
+                       ? "no concept of this layer has an EquivalentTo by which something could be recognised"
+                       : "what its concepts speak of is known beforehand, or no algorithm answers it; partonomy check "
+                         "tells more");
+    else if (is_cut_first)
+        fmt::print(stderr,
+                   "{}: no concept speaks of a shape, so the mesh is cut into parts first, and this is asked of each\n",
+                   arguments.ontology.path);
     if (!tree.is_whole())
         fmt::print(stderr,
                    "{}: this is not the whole tree: {} of its nodes are left open; raise --nodes or --depth to see "

@@ -6,8 +6,8 @@
 
 namespace partonomy {
 
-/// The lamps of docs/guide.md: a floor lamp, a table lamp, a floor lamp on a foot too small for it, and one without a
-/// shade. `labels` and `object_class` are names of ontologies/lamps.omn.
+/// The lamps of docs/guide.md: a floor lamp, a table lamp, a floor lamp on a foot too small for it, one without a
+/// shade, and desk lamps with one and with two stems. `labels` and `object_class` are names of ontologies/lamps.omn.
 [[nodiscard]] std::vector<ExampleObject> lamps();
 
 }  // namespace partonomy

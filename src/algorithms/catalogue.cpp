@@ -78,7 +78,7 @@ const auto& require(const Measures& measures, const Domain& domain, const owl::I
         if (name == measure.name) return measure;
     const auto* nearest = &measures[0];
     for (const auto& measure : measures)
-        if (edit_distance(name, measure.name) < edit_distance(name, nearest->name)) nearest = &measure;
+        if (distance_in_words(name, measure.name) < distance_in_words(name, nearest->name)) nearest = &measure;
     const owl::Source source = source_of(domain, iri, name);
     throw OntologyError(at(source.file, source.line,
                            fmt::format("{}: there is no measure \"{}\"; did you mean \"{}\"?", owl::local_name(iri),

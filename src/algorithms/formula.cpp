@@ -165,7 +165,7 @@ private:
         for (const Measure& measure : all_measures()) {
             // "l0/l3" holds a sign itself: the whole text may be what is misspelt.
             for (const std::string& written : {word, text_})
-                if (const std::size_t d = edit_distance(written, measure.name); d < distance) {
+                if (const std::size_t d = distance_in_words(written, measure.name); d < distance) {
                     distance = d;
                     nearest = &measure;
                 }

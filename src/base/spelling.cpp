@@ -1,6 +1,7 @@
 #include "base/spelling.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace partonomy {
@@ -18,6 +19,30 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
         }
     }
     return row.back();
+}
+
+std::string with_article(const std::string& name) {
+    const bool vowel = !name.empty() && std::string("aeiouAEIOU").find(name[0]) != std::string::npos;
+    return (vowel ? "an " : "a ") + name;
+}
+
+std::size_t distance_in_words(const std::string& word, const std::string& name) {
+    const auto distance = [&word](const std::string& to) {
+        std::size_t least = edit_distance(word, to);
+        for (std::size_t i = 1; i < word.size(); ++i) {
+            std::string swapped = word;
+            std::swap(swapped[i - 1], swapped[i]);
+            least = std::min(least, 1 + edit_distance(swapped, to));
+        }
+        return least;
+    };
+    std::size_t least = distance(name);
+    for (std::size_t begin = 0, end = name.find(' '); end != std::string::npos; end = name.find(' ', begin)) {
+        least = std::min(least, 1 + distance(name.substr(begin, end - begin)));
+        begin = end + 1;
+        if (name.find(' ', begin) == std::string::npos) least = std::min(least, 1 + distance(name.substr(begin)));
+    }
+    return least;
 }
 
 }  // namespace partonomy

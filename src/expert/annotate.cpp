@@ -17,6 +17,7 @@
 
 #include "algorithms/appearance.h"
 #include "base/errors.h"
+#include "base/spelling.h"
 
 namespace partonomy {
 namespace {
@@ -170,8 +171,8 @@ std::vector<std::string> open_questions(const Session& session, const std::vecto
     for (int region = 0; region < session.region_count(); ++region) {
         const Naming& naming = namings[static_cast<std::size_t>(region)];
         if (naming.certainty < 1)
-            open.push_back(fmt::format("part {} is assumed to be a {}: what would decide it cannot be asked{}",
-                                       region + 1, owl::local_name(naming.concepts.front()), why_not(session)));
+            open.push_back(fmt::format("part {} is assumed to be {}: what would decide it cannot be asked{}",
+                                       region + 1, with_article(owl::local_name(naming.concepts.front())), why_not(session)));
         else if (session.possible(region).is_empty())
             open.push_back(fmt::format("part {}: its answers contradict the axioms", region + 1));
         else if (naming.concepts.empty())

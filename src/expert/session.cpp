@@ -8,6 +8,7 @@
 #include <span>
 
 #include "algorithms/appearance.h"
+#include "base/spelling.h"
 
 namespace partonomy {
 namespace {
@@ -422,7 +423,7 @@ std::vector<std::string> Session::consequences(int region, const ConfigurationSe
     for (const ConceptId c : wanted_) {
         const knowledge::Concept& concept_ = space.concepts[static_cast<std::size_t>(c)];
         if (now.is_subset_of(concept_.where) && !before.is_subset_of(concept_.where))
-            texts.push_back(fmt::format("{} is a {}", region_name(region), owl::local_name(concept_.iri)));
+            texts.push_back(fmt::format("{} is {}", region_name(region), with_article(owl::local_name(concept_.iri))));
     }
     for (std::size_t v = 0; v < space.variables.size(); ++v) {
         if (space.variables[v].kind != knowledge::VariableKind::range) continue;

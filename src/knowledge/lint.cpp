@@ -185,6 +185,7 @@ public:
         look_at_features();
         look_at_numbers();
         look_at_relations();
+        look_at_waiting_names();
         look_at_open_restrictions();
         look_at_declarations();
         std::ranges::stable_sort(findings_, {}, [](const Finding& f) {
@@ -273,6 +274,8 @@ private:
             relations = relate_listed(space, concepts);
         else
             relations = Sampler(theory_, space, concepts).run();
+        // A composite part is there by what its concept asks for, so "every one is a Stem" is as it should be.
+        if (what == "composite part") relations.universal.clear();
         for (const std::size_t c : relations.universal)
             add(FindingKind::universal, false, {space.concepts[c].iri}, place_of(space.concepts[c].iri),
                 "every " + what + " is " + with_article(owl::local_name(space.concepts[c].iri)),
@@ -366,7 +369,9 @@ private:
             }
             // One value without an algorithm is known by exclusion.
             if (unanswered.size() + (range.covered ? 0 : 1) > 1) add_unanswerable(range, unanswered, users);
-            if (unused.empty() || is_core(range.iri)) continue;
+            // The other values of a covered range cannot be left out: they say what the one that is asked for is not.
+            const bool is_needed = range.covered && unused.size() < range.values.size();
+            if (unused.empty() || is_needed || is_core(range.iri)) continue;
             add(FindingKind::unused, false, unused, place_of(unused.front()),
                 "no axiom asks for " + list_of(local_names(unused)) + " of " + name, "leave them out, or use them");
         }
@@ -451,6 +456,69 @@ private:
                     "no criterion tells whether \"" + to_manchester(*variable.part_class) +
                         "\" holds, so nothing can answer it and it stays open",
                     "give its relation a core:criterion");
+    }
+
+    /// What a definition speaks of: relations to others, and names; through the names that are defined, too.
+    struct Rests {
+        std::set<int> names, relations;
+    };
+    void collect(FormulaId id, Rests& rests) const {
+        const Formula& formula = theory_.formulas[id];
+        for (const FormulaId operand : formula.operands) collect(operand, rests);
+        const int relation = formula.index - static_cast<int>(theory_.ranges.size() + theory_.numbers.size());
+        if (formula.kind == Formula::Kind::choice && relation >= 0) rests.relations.insert(relation);
+        if (formula.kind != Formula::Kind::named || !rests.names.insert(formula.index).second) return;
+        if (const FormulaId definition = theory_.concepts[formula.index].definition; definition >= 0)
+            collect(definition, rests);
+    }
+
+    /// Names each of which is defined by a relation to one that waits for it.
+    void look_at_waiting_names() {
+        if (theory_.relational.empty()) return;
+        const std::size_t count = theory_.concepts.size();
+        std::vector<Rests> own(count);
+        std::vector<std::set<int>> awaited(count);  // names that a relation in the definition speaks of, then all theirs
+        for (std::size_t c = 0; c < count; ++c) {
+            const NamedConcept& named = theory_.concepts[c];
+            if (named.level != Level::region || named.definition < 0) continue;
+            collect(named.definition, own[c]);
+            for (const int relation : own[c].relations)
+                for (const FormulaId each : theory_.relational_classes[relation]) {
+                    Rests others;
+                    collect(each, others);
+                    awaited[c].insert(others.names.begin(), others.names.end());
+                }
+        }
+        for (bool grown = true; grown;) {
+            grown = false;
+            for (std::set<int>& each : awaited) {
+                const std::size_t before = each.size();
+                for (const int other : std::set<int>(each))
+                    each.insert(awaited[other].begin(), awaited[other].end());
+                grown |= each.size() > before;
+            }
+        }
+        std::set<int> told;
+        for (int c = 0; c < static_cast<int>(count); ++c) {
+            if (!awaited[c].contains(c) || told.contains(c)) continue;
+            std::vector<Iri> circle;
+            std::string places;
+            for (const int other : awaited[c])
+                if (awaited[other].contains(c) && told.insert(other).second) {
+                    circle.push_back(theory_.concepts[other].iri);
+                    const owl::Source place = place_of(circle.back());
+                    places += (places.empty() ? "" : ", ") + owl::local_name(circle.back()) + " in line " +
+                              std::to_string(place.line);
+                }
+            const bool is_alone = circle.size() == 1;
+            add(FindingKind::unanswerable, true, circle, place_of(circle.front()),
+                list_of(local_names(circle)) + (is_alone ? " waits for itself (" : " wait for each other (") + places +
+                    "): " + (is_alone ? "it is" : "each is") +
+                    " known by a relation to " + (is_alone ? "itself" : "the other") +
+                    ", so what hangs on it stays open",
+                "let one of them be known without it, and put the relation into a name of its own, such as "
+                "Attached" + owl::local_name(circle.back()));
+        }
     }
 
     void look_at_declarations() {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/errors.h"
+#include "base/spelling.h"
 #include "knowledge/groups.h"
 #include "knowledge/plain.h"
 
@@ -509,10 +510,7 @@ void refuse(const owl::Axiom& axiom, const std::string& why, const std::string& 
                            "\"" + to_manchester(axiom) + "\" cannot be grounded: " + why + "; " + right + "."));
 }
 
-std::string with_article(const std::string& name) {
-    const bool vowel = !name.empty() && std::string("aeiouAEIOU").find(name[0]) != std::string::npos;
-    return (vowel ? "an " : "a ") + name;
-}
+std::string with_article(const std::string& name) { return partonomy::with_article(name); }
 
 std::size_t Theory::value_count(std::size_t feature) const {
     if (feature >= ranges.size() + numbers.size()) return 2;

@@ -12,15 +12,18 @@ std::string part_words(const Variable& variable) {
     return std::to_string(variable.threshold) + " " + (simple ? name : "(" + name + ")");
 }
 
-/// "is it above a Seat" where the relation has a wording and one class is named; else the expression as written.
+/// "is it above a Seat", or, of the region as a reference, "is it above this (asked of a Seat)", where the relation has a
+/// wording and one class is named; else the expression as written.
 std::string relation_words(const Variable& variable, const Domain& domain) {
     const owl::ClassExpression& whole = *variable.part_class;
     std::string question, part;
-    const bool simple = domain.relational[static_cast<std::size_t>(variable.index)].of_target &&
-                        whole.kind == owl::ClassKind::some_values_from && whole.operands[0]->operands.size() == 2;
+    const bool of_target = domain.relational[static_cast<std::size_t>(variable.index)].of_target;
+    const bool simple = whole.kind == owl::ClassKind::some_values_from && whole.operands[0]->operands.size() == 2;
     for (std::size_t i = 0; simple && i < 2; ++i) {
         const owl::ClassExpression& operand = *whole.operands[0]->operands[i];
-        if (operand.kind == owl::ClassKind::some_values_from && operand.operands[0]->kind == owl::ClassKind::named)
+        const bool is_other_side = of_target || owl::local_name(operand.property.iri) == "isTargetRegion";
+        if (operand.kind == owl::ClassKind::some_values_from && is_other_side &&
+            operand.operands[0]->kind == owl::ClassKind::named)
             part = owl::local_name(operand.operands[0]->iri);
         for (const Relation& relation : domain.relations)
             if (operand.kind == owl::ClassKind::named && operand.iri == relation.iri) question = relation.question;
@@ -28,7 +31,8 @@ std::string relation_words(const Variable& variable, const Domain& domain) {
     if (question.empty() || part.empty() || whole.operands[0]->kind != owl::ClassKind::intersection_of)
         return "is it so: " + to_manchester(whole);
     const bool vowel = std::string("aeiouAEIOU").find(part[0]) != std::string::npos;
-    return question + (vowel ? " an " : " a ") + part;
+    const std::string whom = (vowel ? "an " : "a ") + part;
+    return of_target ? question + " " + whom : question + " this (asked of " + whom + ")";
 }
 
 }  // namespace

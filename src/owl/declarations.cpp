@@ -107,4 +107,11 @@ std::string Declarations::suggestion(const Iri& iri, EntityKind kind) const {
     return nearest.empty() ? "" : " (did you mean " + nearest + "?)";
 }
 
+std::vector<Iri> Declarations::names_of_core(EntityKind kind) const {
+    std::vector<Iri> names;
+    for (const auto& [iri, kinds] : kinds_)
+        if ((kinds >> static_cast<unsigned>(kind) & 1U) != 0 && iri.starts_with(core_prefix)) names.push_back(iri);
+    return names;
+}
+
 }  // namespace partonomy::owl

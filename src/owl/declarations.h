@@ -22,6 +22,9 @@ struct Declarations {
     /// " (did you mean Seat?)" for the declared name most like `iri`'s, empty when none is near.
     [[nodiscard]] std::string suggestion(const Iri& iri, EntityKind kind) const;
 
+    /// Names of the core ontology of one kind; sorted.
+    [[nodiscard]] std::vector<Iri> names_of_core(EntityKind kind) const;
+
 private:
     void add(const Iri& iri, EntityKind kind) { kinds_[iri] |= 1U << static_cast<unsigned>(kind); }
     static constexpr unsigned built_in = 1U << 8;

@@ -52,6 +52,15 @@ std::string Expressions::shown(Node node) const {
     return between("\"", value.value.substr(0, length), length < value.value.size() ? "…\"" : "\"");
 }
 
+std::string Expressions::numbers_of_core(EntityKind kind) const {
+    if (kind != EntityKind::object_property && kind != EntityKind::data_property) return {};
+    std::string names;
+    for (const Iri& iri : declarations_.names_of_core(EntityKind::data_property))
+        names += (names.empty() ? "" : ", ") + local_name(iri);
+    return "; its numbers are " + names +
+           "; for another measure declare a functional data property of your own with core:measure";
+}
+
 void Expressions::reject_undeclared(Node node, EntityKind kind, long line) const {
     if (term(node).kind == TermKind::literal)
         fail(line, "the literal " + shown(node) + " stands where a name is expected");
@@ -68,14 +77,18 @@ void Expressions::reject_undeclared(Node node, EntityKind kind, long line) const
         constexpr const char* names[] = {"a class",         "an object property",
                                          "a data property", "an annotation property",
                                          "an individual",   "a datatype"};
+        const bool is_class_as_property = other == EntityKind::klass && kind == EntityKind::object_property;
         fail(line,
-             shown(node) + " is " + names[static_cast<int>(other)] + ", but stands where " + what + " is expected");
+             shown(node) + " is " + names[static_cast<int>(other)] + ", but stands where " + what + " is expected" +
+                 (is_class_as_property ? "; a relation to a Body, say, is written isTargetRegion some (" +
+                                             local_name(iri) + " and (inverse (isReferenceRegion) some Body))"
+                                       : ""));
     }
     if (iri.starts_with(core_prefix)) {
         const bool is_imported = declarations_.has(std::string(core_prefix) + "Region", EntityKind::klass);
         fail(line, is_imported
                        ? shown(node) + " is used as " + what + ", but the core ontology has no such; mend its name" +
-                             declarations_.suggestion(iri, kind)
+                             declarations_.suggestion(iri, kind) + numbers_of_core(kind)
                        : shown(node) + " is a name of the core ontology, which is not imported; import <" + core_iri +
                              "> (in Protégé: Active ontology > Direct imports)");
     }

@@ -54,6 +54,8 @@ public:
     [[nodiscard]] std::string shown(Node node) const;  ///< for error sentences
     [[noreturn]] void fail(long line, const std::string& sentence) const;
     /// Says that `node` is no `kind`, with the declared name that may be meant.
+    /// "; its numbers are area, …" where a property was meant, to end a sentence about a name that core lacks.
+    [[nodiscard]] std::string numbers_of_core(EntityKind kind) const;
     [[noreturn]] void reject_undeclared(Node node, EntityKind kind, long line) const;
 
     std::vector<char> used;  ///< by triple
