@@ -33,7 +33,8 @@ void explain_part(const json& annotation, const json& part) {
     const std::string name = fmt::format("part {}", part.at("id").get<int>());
     const auto concepts = part.at("concepts").get<std::vector<std::string>>();
     fmt::print("{} is {} (score {:.3f}, {} faces)\n", name,
-               concepts.empty() ? "nothing that the ontology names" : with_article(fmt::format("{}", fmt::join(concepts, ", "))),
+               concepts.empty() ? "nothing that the ontology names"
+                                : with_article(fmt::format("{}", fmt::join(concepts, ", "))),
                part.at("score").get<double>(), part.at("faces").get<std::int64_t>());
     for (const auto& [feature, value] : part.at("features").items())
         fmt::print("  {}: {}\n", feature, value.get<std::string>());

@@ -113,9 +113,12 @@ ExampleObject desk_lamp(bool is_twin) {
 std::vector<ExampleObject> lamps() {
     const Sizes floor{0.16, 1.3, 0.2, 0.14, 0.3}, table{0.1, 0.3, 0.14, 0.08, 0.2},
         small_foot{0.07, 1.3, 0.2, 0.14, 0.3};
-    return {lamp(floor, true, "floor-lamp", "FloorLamp"), lamp(table, true, "table-lamp", "TableLamp"),
-            lamp(small_foot, true, "tippy-lamp", "FloorLamp", "LampThatTips"), lamp(floor, false, "stand", ""),
-            desk_lamp(false), desk_lamp(true)};
+    return {lamp(floor, true, "floor-lamp", "FloorLamp"),
+            lamp(table, true, "table-lamp", "TableLamp"),
+            lamp(small_foot, true, "tippy-lamp", "FloorLamp", "LampThatTips"),
+            lamp(floor, false, "stand", ""),
+            desk_lamp(false),
+            desk_lamp(true)};
 }
 
 }  // namespace partonomy

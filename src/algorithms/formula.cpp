@@ -160,17 +160,19 @@ private:
         if (word.empty())
             fail(at_ < text_.size() ? fmt::format("a measure or a number should stand before \"{}\"", text_.substr(at_))
                                     : std::string("it ends where a measure or a number should stand"));
-        const Measure* nearest = &all_measures().front();
+        std::string nearest;  // all that are as near
         std::size_t distance = std::string::npos;
         for (const Measure& measure : all_measures()) {
             // "l0/l3" holds a sign itself: the whole text may be what is misspelt.
             for (const std::string& written : {word, text_})
-                if (const std::size_t d = distance_in_words(written, measure.name); d < distance) {
+                if (const std::size_t d = distance_in_words(written, measure.name); d <= distance) {
+                    const std::string quoted = fmt::format("\"{}\"", measure.name);
+                    if (d < distance) nearest.clear();
+                    if (nearest.find(quoted) == std::string::npos) nearest += (nearest.empty() ? "" : " or ") + quoted;
                     distance = d;
-                    nearest = &measure;
                 }
         }
-        throw OntologyError(fmt::format("there is no measure \"{}\"; did you mean \"{}\"?", word, nearest->name));
+        throw OntologyError(fmt::format("there is no measure \"{}\"; did you mean {}?", word, nearest));
     }
 
     const std::string& text_;

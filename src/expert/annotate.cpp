@@ -172,7 +172,8 @@ std::vector<std::string> open_questions(const Session& session, const std::vecto
         const Naming& naming = namings[static_cast<std::size_t>(region)];
         if (naming.certainty < 1)
             open.push_back(fmt::format("part {} is assumed to be {}: what would decide it cannot be asked{}",
-                                       region + 1, with_article(owl::local_name(naming.concepts.front())), why_not(session)));
+                                       region + 1, with_article(owl::local_name(naming.concepts.front())),
+                                       why_not(session)));
         else if (session.possible(region).is_empty())
             open.push_back(fmt::format("part {}: its answers contradict the axioms", region + 1));
         else if (naming.concepts.empty())

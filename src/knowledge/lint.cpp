@@ -293,7 +293,8 @@ private:
         std::size_t told = 0;
         for (const auto& [c, others] : relations.overlapping) {
             const auto is_plain = [&](std::size_t i) {
-                return !space.concepts[i].incompatible && space.concepts[i].provable;
+                return !space.concepts[i].incompatible && space.concepts[i].provable &&
+                       !is_helper(space.concepts[i].iri);
             };
             std::vector<Iri> iris{space.concepts[c].iri};
             for (const std::size_t other : others)
@@ -305,6 +306,15 @@ private:
             add(FindingKind::overlapping, false, iris, place_of(iris.front()),
                 with_article(first) + " may also be " + list_of(names), "make them disjoint if that is not meant");
         }
+    }
+
+    /// core:helper: nothing is called by it, so it may hold beside any name.
+    [[nodiscard]] bool is_helper(const Iri& iri) const {
+        const auto found = domain_.ontology.annotations.find(iri);
+        return found != domain_.ontology.annotations.end() &&
+               std::ranges::any_of(found->second, [](const owl::Annotation& annotation) {
+                   return annotation.property == core_term("helper") && annotation.literal.value == "true";
+               });
     }
 
     [[nodiscard]] bool are_told_equivalent(const std::vector<Iri>& iris) const {
@@ -477,7 +487,8 @@ private:
         if (theory_.relational.empty()) return;
         const std::size_t count = theory_.concepts.size();
         std::vector<Rests> own(count);
-        std::vector<std::set<int>> awaited(count);  // names that a relation in the definition speaks of, then all theirs
+        std::vector<std::set<int>> awaited(
+            count);  // names that a relation in the definition speaks of, then all theirs
         for (std::size_t c = 0; c < count; ++c) {
             const NamedConcept& named = theory_.concepts[c];
             if (named.level != Level::region || named.definition < 0) continue;
@@ -493,8 +504,7 @@ private:
             grown = false;
             for (std::set<int>& each : awaited) {
                 const std::size_t before = each.size();
-                for (const int other : std::set<int>(each))
-                    each.insert(awaited[other].begin(), awaited[other].end());
+                for (const int other : std::set<int>(each)) each.insert(awaited[other].begin(), awaited[other].end());
                 grown |= each.size() > before;
             }
         }
@@ -513,11 +523,11 @@ private:
             const bool is_alone = circle.size() == 1;
             add(FindingKind::unanswerable, true, circle, place_of(circle.front()),
                 list_of(local_names(circle)) + (is_alone ? " waits for itself (" : " wait for each other (") + places +
-                    "): " + (is_alone ? "it is" : "each is") +
-                    " known by a relation to " + (is_alone ? "itself" : "the other") +
-                    ", so what hangs on it stays open",
+                    "): " + (is_alone ? "it is" : "each is") + " known by a relation to " +
+                    (is_alone ? "itself" : "the other") + ", so what hangs on it stays open",
                 "let one of them be known without it, and put the relation into a name of its own, such as "
-                "Attached" + owl::local_name(circle.back()));
+                "Attached" +
+                    owl::local_name(circle.back()));
         }
     }
 

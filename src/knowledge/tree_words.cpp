@@ -12,8 +12,8 @@ std::string part_words(const Variable& variable) {
     return std::to_string(variable.threshold) + " " + (simple ? name : "(" + name + ")");
 }
 
-/// "is it above a Seat", or, of the region as a reference, "is it above this (asked of a Seat)", where the relation has a
-/// wording and one class is named; else the expression as written.
+/// "is it above a Seat", or, of the region as a reference, "is it above this (asked of a Seat)", where the relation has
+/// a wording and one class is named; else the expression as written.
 std::string relation_words(const Variable& variable, const Domain& domain) {
     const owl::ClassExpression& whole = *variable.part_class;
     std::string question, part;

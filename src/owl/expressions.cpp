@@ -78,11 +78,11 @@ void Expressions::reject_undeclared(Node node, EntityKind kind, long line) const
                                          "a data property", "an annotation property",
                                          "an individual",   "a datatype"};
         const bool is_class_as_property = other == EntityKind::klass && kind == EntityKind::object_property;
-        fail(line,
-             shown(node) + " is " + names[static_cast<int>(other)] + ", but stands where " + what + " is expected" +
-                 (is_class_as_property ? "; a relation to a Body, say, is written isTargetRegion some (" +
-                                             local_name(iri) + " and (inverse (isReferenceRegion) some Body))"
-                                       : ""));
+        fail(line, shown(node) + " is " + names[static_cast<int>(other)] + ", but stands where " + what +
+                       " is expected" +
+                       (is_class_as_property ? "; a relation to a Body, say, is written isTargetRegion some (" +
+                                                   local_name(iri) + " and (inverse (isReferenceRegion) some Body))"
+                                             : ""));
     }
     if (iri.starts_with(core_prefix)) {
         const bool is_imported = declarations_.has(std::string(core_prefix) + "Region", EntityKind::klass);

@@ -7,6 +7,7 @@
 
 #include "app/run_program.h"
 #include "base/files.h"
+#include "examples/lamps.h"
 #include "examples/objects.h"
 #include "knowledge/closed_world.h"
 #include "mesh/write_off.h"
@@ -56,6 +57,75 @@ TEST(Check, NamesWhatIsWrong) {
     EXPECT_NE(result.out.find("wrong: o.ttl:6: no region can ever be a Both"), std::string::npos) << result.out;
     EXPECT_NE(result.out.find("\n    o.ttl:6: Both EquivalentTo: "), std::string::npos) << "the cause: " << result.out;
     EXPECT_NE(result.out.find("Leg has only necessary conditions"), std::string::npos) << result.out;
+}
+
+/// An ontology of jars in Manchester syntax; `axioms` is what comes below the import, from line 6 on.
+std::string jars(const std::string& axioms) {
+    return "Prefix: : <http://example.org/jars#>\nPrefix: core: <https://w3id.org/partonomy/core#>\n"
+           "Prefix: xsd: <http://www.w3.org/2001/XMLSchema#>\n"
+           "Ontology: <http://example.org/jars>\n    Import: <https://w3id.org/partonomy/core>\n" +
+           axioms;
+}
+
+const std::string waiting_jars = jars(
+    "Class: :Pot\n    SubClassOf: core:Region\n    EquivalentTo: core:Region and (core:hasShape some core:Cube) and "
+    "(core:isTargetRegion some (core:Connected and (inverse (core:isReferenceRegion) some :Grip)))\n"
+    "Class: :Grip\n    SubClassOf: core:Region\n    EquivalentTo: core:Region and (core:hasShape some core:Stick) and "
+    "(core:isTargetRegion some (core:Connected and (inverse (core:isReferenceRegion) some :Pot)))\n"
+    "Class: :Jar\n    SubClassOf: core:Object\n    EquivalentTo: core:Object and (core:hasPart some :Pot)\n");
+
+/// Words of its own over extent: values Tall, Middling and Low, of which only one is asked for.
+const std::string sized_jars = jars(
+    "Class: :Stature\n    SubClassOf: core:Feature\n    DisjointUnionOf: :Tall, :Middling, :Low\n"
+    "Class: :Tall\n    Annotations: core:measure \"extent\", core:membership \"0.4 0.5 inf inf\"\n"
+    "Class: :Middling\n    Annotations: core:measure \"extent\", core:membership \"0.06 0.08 0.4 0.5\"\n"
+    "Class: :Low\n    Annotations: core:measure \"extent\", core:membership \"-inf -inf 0.06 0.08\"\n"
+    "ObjectProperty: :hasStature\n    Characteristics: Functional\n    Range: :Stature\n"
+    "Class: :Pot\n    SubClassOf: core:Region\n    EquivalentTo: core:Region and (:hasStature some :Tall)\n"
+    "Class: :Pots\n    SubClassOf: core:CompositePart\n    EquivalentTo: core:CompositePart and (core:hasPart some "
+    ":Pot)\n"
+    "Class: :Jar\n    SubClassOf: core:Object\n    EquivalentTo: core:Object and (core:hasPart exactly 1 :Pots)\n");
+
+TEST(Check, NamesThatWaitForEachOther) {
+    const TemporaryFolder folder;
+    folder.write("jars.omn", waiting_jars);
+    const ProgramResult result = run_partonomy({"check", "jars.omn"}, folder.path());
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_NE(result.out.find("Grip and Pot wait for each other (Grip in line 11, Pot in line 8)"), std::string::npos)
+        << result.out;
+    const std::size_t grip = waiting_jars.rfind(" and (core:isTargetRegion");
+    const std::string mended = waiting_jars.substr(0, grip) + waiting_jars.substr(waiting_jars.find('\n', grip));
+    folder.write("jars.omn", mended);
+    const ProgramResult fine = run_partonomy({"check", "jars.omn"}, folder.path());
+    EXPECT_EQ(fine.exit_code, 0) << fine.out;
+}
+
+TEST(Check, DoesNotRemarkOnWhatCannotBeAvoided) {
+    const TemporaryFolder folder;
+    folder.write("jars.omn", sized_jars);
+    const ProgramResult result = run_partonomy({"check", "jars.omn"}, folder.path());
+    EXPECT_EQ(result.exit_code, 0) << result.out;
+    EXPECT_EQ(result.out.find("remark"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("of these without anything Incompatible"), std::string::npos) << result.out;
+}
+
+TEST(Check, TellsWhatIsWrittenInstead) {
+    const TemporaryFolder folder;
+    const auto refusal = [&](const std::string& from, const std::string& to) {
+        std::string text = sized_jars;
+        for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+            text.replace(at, from.size(), to);
+        folder.write("jars.omn", text);
+        const ProgramResult result = run_partonomy({"check", "jars.omn"}, folder.path());
+        EXPECT_EQ(result.exit_code, 1);
+        return result.out + result.err;
+    };
+    EXPECT_NE(refusal(":hasStature some :Tall", "core:Connected some :Pot")
+                  .find("is written isTargetRegion some (Connected and (inverse (isReferenceRegion) some Body))"),
+              std::string::npos);
+    EXPECT_NE(refusal(":hasStature some :Tall", "core:extent some xsd:double[>= 0.5]").find("its numbers are area, "),
+              std::string::npos);
+    EXPECT_NE(refusal("extent", "heigth").find("\"top height\""), std::string::npos);
 }
 
 TEST(Check, FindingsAsJson) {
@@ -174,6 +244,21 @@ TEST(Tree, JsonAndDot) {
     EXPECT_TRUE(read_file(folder.path() / "tree.dot").starts_with("digraph"));
 }
 
+TEST(Tree, AsksWhatAnnotateAsksWhereNoShapeIsNamed) {
+    const TemporaryFolder folder;
+    folder.write("jars.omn", sized_jars);
+    const ProgramResult result = run_partonomy({"tree", "jars.omn", "-o", "tree.json"}, folder.path());
+    EXPECT_EQ(result.exit_code, 0);
+    EXPECT_NE(result.err.find("the mesh is cut into parts first"), std::string::npos) << result.err;
+    EXPECT_GE(json::parse(read_file(folder.path() / "tree.json")).at("nodes").size(), 3U);
+    std::string undefined = sized_jars;
+    const std::size_t definition = undefined.find("EquivalentTo: core:Region and");
+    undefined.replace(definition, 12, "SubClassOf");
+    folder.write("jars.omn", undefined);
+    const ProgramResult empty = run_partonomy({"tree", "jars.omn", "-o", "tree.json"}, folder.path());
+    EXPECT_NE(empty.err.find("the tree asks nothing: no concept"), std::string::npos) << empty.err;
+}
+
 TEST(Catalogue, ListsAlgorithmsAndMeasures) {
     const TemporaryFolder folder;
     const ProgramResult result = run_partonomy({"catalogue", furniture_path()}, folder.path());
@@ -245,6 +330,24 @@ TEST(Explain, EveryMinimalExplanation) {
     const ProgramResult other = run_partonomy({"explain", "out/strange", "--all", "-O", "other.ttl"}, folder.path());
     EXPECT_EQ(other.exit_code, 1);
     EXPECT_NE(other.err.find("annotate again"), std::string::npos) << other.err;
+}
+
+TEST(Explain, SaysFirstWhatThereIsTooMuchOf) {
+    const TemporaryFolder folder;
+    folder.write("twin.off", to_off(lamps().back().mesh));
+    std::string text = read_file(std::filesystem::path(PARTONOMY_SOURCE_DIR) / "ontologies/lamps.omn");
+    text +=
+        "\nClass: :TwoStems\n    SubClassOf: core:Incompatible\n    EquivalentTo: :TwinLamp and (core:hasPart min 2 "
+        ":Stem)\n";
+    folder.write("lamps.omn", text);
+    ASSERT_EQ(run_partonomy({"annotate", "twin.off", "--ontology", "lamps.omn", "-o", "out"}, folder.path()).exit_code,
+              2);
+    const ProgramResult result = run_partonomy({"explain", "out/twin"}, folder.path());
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_NE(result.out.find("\n  1 too many: 2 Stem (parts "), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("\n  it is defined as TwinLamp and (hasPart min 2 Stem) (lamps.omn:"), std::string::npos);
+    EXPECT_LT(result.out.find("too many"), result.out.find("answers that lead to it"));
+    EXPECT_NE(result.out.find(" is an Arm "), std::string::npos) << result.out;
 }
 
 TEST(Eval, AgainstTheTruthOfTheExamples) {
