@@ -93,11 +93,10 @@ int run_tree(const Arguments& arguments) {
     fmt::print(stderr, "{}: {} configurations, {} nodes, depth {}, {:.1f} ms from file to tree\n",
                arguments.ontology.path, space.possible.count_text(), tree.nodes.size(), tree.depth(), ms);
     if (tree.nodes.size() == 1)
-        fmt::print(stderr, "{}: the tree asks nothing: {}\n", arguments.ontology.path,
-                   plan.wanted.empty() && !arguments.every_configuration
-                       ? "no concept of this layer has an EquivalentTo by which something could be recognised"
-                       : "what its concepts speak of is known beforehand, or no algorithm answers it; partonomy check "
-                         "tells more");
+        fmt::print(stderr,
+                   "{}: the tree asks nothing: what its concepts speak of is known beforehand, or no algorithm answers "
+                   "it; partonomy check tells more\n",
+                   arguments.ontology.path);
     else if (is_cut_first)
         fmt::print(stderr,
                    "{}: no concept speaks of a shape, so the mesh is cut into parts first, and this is asked of each\n",
