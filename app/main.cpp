@@ -29,6 +29,7 @@ void OntologyArguments::add_to(CLI::App& command, bool positional) {
 }
 
 void OntologyArguments::load_plugins() const {
+    add_linked_algorithms();
     for (const std::string& plugin : plugins) load_plugin(plugin);
 }
 

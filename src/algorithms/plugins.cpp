@@ -17,6 +17,7 @@
 #include <mutex>
 #include <set>
 
+#include "algorithms/linked_algorithms.h"
 #include "algorithms/measures.h"
 #include "algorithms/relations.h"
 #include "base/errors.h"
@@ -142,6 +143,14 @@ void load_plugin(const std::string& path) {
         throw FileError(at(path, 0, "its function partonomy_algorithm throws; it should return an algorithm"));
     }
     add_algorithm(algorithm, path);
+}
+
+void add_linked_algorithms() {
+    static const bool done = [] {
+        for (const LinkedAlgorithm& each : linked_algorithms()) add_algorithm(each.entry(), each.file);
+        return true;
+    }();
+    static_cast<void>(done);
 }
 
 std::vector<std::string> plugin_troubles() {

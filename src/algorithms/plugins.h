@@ -15,6 +15,10 @@ void load_plugin(const std::string& path);
 /// The same for an algorithm that is linked in; `origin` is what errors call it. Throws FileError.
 void add_algorithm(const PartonomyAlgorithm* algorithm, const std::string& origin);
 
+/// Adds the algorithms that were compiled into the program (linked_algorithms.h); once, however often it is called.
+/// Throws FileError as above.
+void add_linked_algorithms();
+
 /// What went wrong while algorithms of plugins measured, a sentence each, sorted, without repetition.
 [[nodiscard]] std::vector<std::string> plugin_troubles();
 

@@ -307,30 +307,69 @@ std::string_view GltfFile::view(std::size_t index, const GltfValue& asker, std::
     return bytes.substr(offset, length);
 }
 
+/// Sets where the numbers lie that `holder` (an accessor, or half of a sparse one) announces by view and offset.
+void GltfFile::locate(const GltfValue& holder, GltfNumbers& numbers) {
+    if (!holder["bufferView"]) holder.fail("has no bufferView; compressed or empty ones cannot be read");
+    const std::size_t size = size_of_type(numbers.type), element = size * numbers.width;
+    const std::uint64_t offset = holder["byteOffset"].count();
+    const std::string_view bytes = view(holder["bufferView"].count(), holder["bufferView"], numbers.stride);
+    if (numbers.stride == 0) numbers.stride = element;
+    const bool fits = numbers.count == 0 || (offset <= bytes.size() && element <= bytes.size() - offset &&
+                                             (numbers.count - 1) <= (bytes.size() - offset - element) / numbers.stride);
+    if (!fits || numbers.stride < element)
+        holder.fail(fmt::format("announces {} elements of {} bytes, more than its view of {} bytes holds",
+                                numbers.count, element, bytes.size()));
+    numbers.data = bytes.data() + (numbers.count == 0 ? 0 : offset);
+}
+
+/// Copies the numbers, zeros where there are none, and puts the replacements of a sparse accessor into them.
+void GltfFile::fill_in(const GltfValue& sparse, std::string& filled, GltfNumbers& numbers) {
+    GltfNumbers places, values;
+    places.count = values.count = sparse["count"].count();
+    if (places.count > numbers.count)
+        sparse["count"].fail(fmt::format("is more than the {} elements of the accessor", numbers.count));
+    places.type = static_cast<int>(std::min<std::uint64_t>(sparse["indices"]["componentType"].count(), 1 << 20));
+    if (places.type != 5121 && places.type != 5123 && places.type != 5125)
+        sparse["indices"]["componentType"].fail("must be one of 5121, 5123 and 5125");
+    values.width = numbers.width;
+    values.type = numbers.type;
+    locate(sparse["indices"], places);
+    locate(sparse["values"], values);
+    const std::size_t element = size_of_type(numbers.type) * numbers.width;
+    filled.assign(numbers.count * element, '\0');
+    for (std::size_t k = 0; numbers.data != nullptr && k < numbers.count; ++k)
+        std::memcpy(filled.data() + k * element, numbers.data + k * numbers.stride, element);
+    for (std::size_t i = 0; i < places.count; ++i) {
+        const std::uint32_t k = places.whole(i);
+        if (k >= numbers.count)
+            sparse["indices"].fail(fmt::format("names element {} of an accessor that has {}", k, numbers.count));
+        std::memcpy(filled.data() + k * element, values.data + i * values.stride, element);
+    }
+    bytes_held_ += filled.size();
+}
+
 GltfNumbers GltfFile::numbers(std::size_t index, std::initializer_list<const char*> types, const GltfValue& asker) {
-    const GltfValue accessor = item("accessors", index, asker);
-    if (accessor["sparse"]) accessor.fail("is sparse, which cannot be read; save the model without sparse accessors");
-    if (!accessor["bufferView"]) accessor.fail("has no bufferView; compressed or empty ones cannot be read");
+    constexpr std::uint64_t most_zeros = std::uint64_t{1} << 22;  // elements that no byte of the file stands for
+    const GltfValue accessor = item("accessors", index, asker), sparse = accessor["sparse"];
     const std::string type = accessor["type"].text();
     if (std::ranges::none_of(types, [&](const char* word) { return type == word; }))
         accessor["type"].fail(fmt::format("must be {} for {}", fmt::join(types, " or "), asker.path()));
     GltfNumbers numbers;
     numbers.width = width_of(type);
     numbers.type = static_cast<int>(std::min<std::uint64_t>(accessor["componentType"].count(), 1 << 20));
-    const std::size_t size = size_of_type(numbers.type);
-    if (size == 0) accessor["componentType"].fail("must be one of 5120, 5121, 5122, 5123, 5125 and 5126");
+    if (size_of_type(numbers.type) == 0)
+        accessor["componentType"].fail("must be one of 5120, 5121, 5122, 5123, 5125 and 5126");
     numbers.normalized = accessor["normalized"].boolean(false);
-    const std::uint64_t count = accessor["count"].count(), offset = accessor["byteOffset"].count();
-    const std::string_view bytes = view(accessor["bufferView"].count(), accessor["bufferView"], numbers.stride);
-    const std::size_t element = size * numbers.width;
-    if (numbers.stride == 0) numbers.stride = element;
-    const bool fits = count == 0 || (offset <= bytes.size() && element <= bytes.size() - offset &&
-                                     (count - 1) <= (bytes.size() - offset - element) / numbers.stride);
-    if (!fits || numbers.stride < element)
-        accessor.fail(fmt::format("announces {} elements of {} bytes, more than its view of {} bytes holds", count,
-                                  element, bytes.size()));
-    numbers.count = count;
-    numbers.data = bytes.data() + (count == 0 ? 0 : offset);
+    numbers.count = accessor["count"].count();
+    if (!sparse || accessor["bufferView"]) locate(accessor, numbers);
+    if (!sparse) return numbers;
+    if (numbers.data == nullptr && numbers.count > most_zeros)
+        accessor.fail(
+            fmt::format("announces {} elements without a bufferView; at most {} are read", numbers.count, most_zeros));
+    std::string& filled = filled_[index];
+    if (filled.empty()) fill_in(sparse, filled, numbers);
+    numbers.data = filled.data();
+    numbers.stride = size_of_type(numbers.type) * numbers.width;
     return numbers;
 }
 

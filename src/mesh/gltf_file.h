@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -64,7 +65,8 @@ public:
     /// The object number `index` of a list of the root. Throws when there is none; `asker` refers to it.
     [[nodiscard]] GltfValue item(const char* list, std::size_t index, const GltfValue& asker) const;
 
-    /// Throws MeshError: sparse or compressed, another type than one of `types` ("VEC3"), beyond its buffer.
+    /// Of a sparse accessor the numbers with its replacements. Throws MeshError: compressed, another type than one of
+    /// `types` ("VEC3"), beyond its buffer.
     [[nodiscard]] GltfNumbers numbers(std::size_t accessor, std::initializer_list<const char*> types,
                                       const GltfValue& asker);
 
@@ -79,6 +81,8 @@ public:
 private:
     [[nodiscard]] std::string_view buffer(std::size_t index, const GltfValue& asker);
     [[nodiscard]] std::string_view view(std::size_t index, const GltfValue& asker, std::size_t& stride);
+    void locate(const GltfValue& holder, GltfNumbers& numbers);
+    void fill_in(const GltfValue& sparse, std::string& filled, GltfNumbers& numbers);
     [[nodiscard]] std::string resource(const GltfValue& uri, const char* what, std::uintmax_t largest) const;
 
     const std::string& name_;
@@ -88,6 +92,7 @@ private:
     bool has_binary_ = false;
     std::size_t bytes_held_ = 0;
     std::vector<std::optional<std::string>> buffers_;
+    std::map<std::size_t, std::string> filled_;  ///< by sparse accessor: its numbers
 };
 
 }  // namespace partonomy

@@ -97,6 +97,22 @@ TEST(Gltf, StripsFansAndUnindexedTriangles) {
     ASSERT_EQ(c.notes.size(), 1U);
 }
 
+/// Elements of an accessor that stand elsewhere; without a view of its own the others are zero.
+TEST(Gltf, SparseAccessors) {
+    const std::string indices = R"({"bufferView":1,"componentType":5121,"count":6,"type":"SCALAR"})";
+    Parts parts;
+    parts.accessors =
+        R"({"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","sparse":{"count":1,"indices":{"bufferView":1,"byteOffset":2,"componentType":5121},"values":{"bufferView":0,"byteOffset":36}}},)" +
+        indices;
+    PolygonSoup soup = soup_of(parts);
+    EXPECT_EQ(soup.positions, (std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 1, 0}}));
+    parts.accessors =
+        R"({"componentType":5126,"count":4,"type":"VEC3","sparse":{"count":3,"indices":{"bufferView":1,"componentType":5121},"values":{"bufferView":0,"byteOffset":12}}},)" +
+        indices;
+    soup = soup_of(parts);
+    EXPECT_EQ(soup.positions, (std::vector<Vec3>{{1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 0}}));
+}
+
 TEST(Gltf, ColoursOfVerticesAndMaterials) {
     Parts parts;
     parts.primitive = R"({"attributes":{"POSITION":0,"COLOR_0":2},"indices":1,"material":0})";
@@ -181,7 +197,24 @@ TEST(Gltf, HostileFilesGiveOneClearSentence) {
          "whole number"},
         {"wrong type", accessor(R"({"bufferView":0,"componentType":5126,"count":4,"type":"VEC2"})"), "must be VEC3"},
         {"wrong component", accessor(R"({"bufferView":0,"componentType":9,"count":4,"type":"VEC3"})"), "5120"},
-        {"sparse", accessor(R"({"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","sparse":{}})"), "sparse"},
+        {"sparse", accessor(R"({"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","sparse":{}})"),
+         "accessors[0].sparse.indices.componentType must be one of"},
+        {"sparse, more than there are",
+         accessor(
+             R"({"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","sparse":{"count":5,"indices":{"bufferView":1,"componentType":5121},"values":{"bufferView":0}}})"),
+         "accessors[0].sparse.count is more than the 4 elements"},
+        {"sparse, beyond the accessor",
+         accessor(
+             R"({"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","sparse":{"count":1,"indices":{"bufferView":1,"byteOffset":5,"componentType":5121},"values":{"bufferView":0}}})"),
+         "names element 3 of an accessor that has 3"},
+        {"sparse, beyond its view",
+         accessor(
+             R"({"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","sparse":{"count":4,"indices":{"bufferView":1,"componentType":5121},"values":{"bufferView":0,"byteOffset":12}}})"),
+         "accessors[0].sparse.values announces 4 elements"},
+        {"sparse, huge",
+         accessor(
+             R"({"componentType":5126,"count":4000000000,"type":"VEC3","sparse":{"count":1,"indices":{"bufferView":1,"componentType":5121},"values":{"bufferView":0}}})"),
+         "announces 4000000000 elements without a bufferView"},
         {"no view", accessor(R"({"componentType":5126,"count":4000000000,"type":"VEC3"})"), "no bufferView"},
         {"view that is not there", accessor(R"({"bufferView":7,"componentType":5126,"count":4,"type":"VEC3"})"),
          "refers to number 7 of bufferViews, but there are 3"},
