@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "base/errors.h"
 #include "base/files.h"
@@ -26,6 +27,25 @@ public:
         if (order_.size() > few)
             std::stable_sort(order_.begin(), order_.end(),
                              [&](std::size_t a, std::size_t b) { return before(at(a), at(b)); });
+    }
+
+    /// Two corners between which a place lies, and its share of the way: where a T-junction was cut.
+    struct Between {
+        std::size_t from, to;
+        double share;
+    };
+    /// `nearest` twice where `place` lies there, or on no side.
+    [[nodiscard]] Between find_between(const Vec3& place, std::size_t nearest) const {
+        if (at(nearest) == place) return {nearest, nearest, 0};
+        const std::size_t count = order_.size();
+        for (std::size_t i = 0; i < count; ++i) {
+            const Between side{begin_ + i, begin_ + (i + 1) % count, 0};
+            const Vec3 way = at(side.to) - at(side.from), there = place - at(side.from);
+            const double share = there.dot(way) / std::max(way.squaredNorm(), 1e-300);
+            if (share > 1e-3 && share < 1 - 1e-3 && (there - share * way).norm() < 1e-3 * way.norm())
+                return {side.from, side.to, share};
+        }
+        return {nearest, nearest, 0};
     }
 
     /// The corner that lies at `place`, or, where welding took another vertex for it, nearest to it.
@@ -152,12 +172,20 @@ Appearance bind_appearance(SoupAppearance colors, const PolygonSoup& soup, const
         if (face != last_face) corners.emplace(soup, f);
         last_face = face;
         for (std::size_t i = 0; i < 3; ++i) {
-            const std::size_t corner = corners->find(mesh.positions[static_cast<std::size_t>(mesh.triangles[t][i])]);
-            if (!appearance.corner_points.empty()) appearance.corner_points[t][i] = colors.corner_points[corner];
+            const Vec3& place = mesh.positions[static_cast<std::size_t>(mesh.triangles[t][i])];
+            const auto between = corners->find_between(place, corners->find(place));
+            const auto share = static_cast<float>(between.share);
+            if (!appearance.corner_points.empty())
+                appearance.corner_points[t][i] =
+                    (1 - share) * colors.corner_points[between.from] + share * colors.corner_points[between.to];
             if (by_face || appearance.corner_colors.empty()) continue;
-            appearance.corner_colors[t][i] = colors.vertex_colors.empty()
-                                                 ? unknown_color()
-                                                 : colors.vertex_colors[static_cast<std::size_t>(soup.corners[corner])];
+            const auto color_of = [&](std::size_t at) {
+                return colors.vertex_colors[static_cast<std::size_t>(soup.corners[at])];
+            };
+            appearance.corner_colors[t][i] =
+                colors.vertex_colors.empty()
+                    ? unknown_color()
+                    : Color((1 - share) * color_of(between.from) + share * color_of(between.to));
         }
     }
     appearance.materials = std::move(colors.materials);

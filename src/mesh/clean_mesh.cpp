@@ -7,12 +7,14 @@
 #include "base/errors.h"
 #include "mesh/edges.h"
 #include "mesh/read_mesh.h"
+#include "mesh/t_junctions.h"
 #include "mesh/triangulate.h"
 #include "mesh/weld.h"
 #include "mesh/winding.h"
 
 // From the polygons of a file to a mesh that the rest can trust, in this order: weld, triangulate, leave out what has
-// no area and what is there twice, number the vertices that remain in file order, make the winding agree. Each step is
+// no area and what is there twice, number the vertices that remain in file order, cut edges at T-junctions, make the
+// winding agree. Each step is
 // linear but for small sorts. Nothing moves: every position that stays has exactly the coordinates of the file.
 
 namespace partonomy {
@@ -215,6 +217,11 @@ TriangleMesh clean_mesh(const PolygonSoup& soup, const std::string& name, MeshRe
     EdgeTable edges = build_edges(mesh.triangles, mesh.positions.size());
     drop_duplicates(mesh, edges, report);
     if (report.duplicate_faces > 0) edges = build_edges(mesh.triangles, mesh.positions.size());
+    if (const std::int64_t cut = cut_at_t_junctions(mesh, edges); cut > 0) {
+        report.notes.push_back(counted(cut, "edge runs", "edges run") +
+                               " along several shorter ones (T-junctions); the surface was closed there.");
+        edges = build_edges(mesh.triangles, mesh.positions.size());
+    }
     for (std::size_t e = 0; e < edges.size(); ++e) {
         report.boundary_edges += edges[e].size() == 1;
         report.non_manifold_edges += edges[e].size() > 2;

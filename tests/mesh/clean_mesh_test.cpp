@@ -30,6 +30,85 @@ void turn_face(PolygonSoup& soup, std::size_t f) {
     std::reverse(soup.corners.begin() + soup.face_starts[f], soup.corners.begin() + soup.face_starts[f + 1]);
 }
 
+/// The upper side of a box in two halves, and the sides beside it whole: their upper edges are cut.
+TEST(CleanMesh, TJunctionsAreClosed) {
+    PolygonSoup soup =
+        soup_of({{0, 0, 0},
+                 {1, 0, 0},
+                 {0, 1, 0},
+                 {1, 1, 0},
+                 {0, 0, 1},
+                 {1, 0, 1},
+                 {0, 1, 1},
+                 {1, 1, 1},
+                 {0.5, 0, 1},
+                 {0.5, 1, 1}},
+                {{0, 2, 3, 1}, {4, 8, 9, 6}, {8, 5, 7, 9}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}});
+    MeshReport report;
+    const TriangleMesh mesh = cleaned(soup, report);
+    EXPECT_EQ(validate(mesh), "");
+    ASSERT_EQ(report.notes.size(), 1U);
+    EXPECT_TRUE(report.notes[0].starts_with("2 edges run along several shorter ones")) << report.notes[0];
+    EXPECT_EQ(report.boundary_edges, 0);
+    EXPECT_EQ(report.flipped_triangles, 0);
+    EXPECT_EQ(mesh.triangles.size(), 16U);
+    EXPECT_TRUE(std::ranges::is_sorted(mesh.input_faces));
+    for (const double area : compute_geometry(mesh).areas) EXPECT_GT(area, 0.1);
+}
+
+/// Triangles of a box cut at random, at points of their longest sides, and not their neighbours; each gets its label.
+TEST(CleanMesh, TJunctionsOfAllKindsAreClosed) {
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        std::mt19937 random(seed);
+        std::uniform_real_distribution<double> share(0.2, 0.8);
+        MeshReport report;
+        const TriangleMesh whole = cleaned(box({-1, 2, 0}, {3, 3, 1}), report);
+        std::vector<Vec3> points = whole.positions;
+        std::vector<std::vector<std::int32_t>> faces;
+        for (const auto& [a, b, c] : whole.triangles) {
+            if (random() % 2 == 0) {
+                faces.push_back({a, b, c});
+                continue;
+            }
+            // One to three points on one side.
+            std::vector<double> places(1 + random() % 3);
+            for (double& place : places) place = share(random);
+            std::ranges::sort(places);
+            std::int32_t last = a;
+            for (const double place : places) {
+                const Vec3 rounding = 1e-9 * Vec3(share(random), share(random), share(random));
+                points.push_back(rounding + points[static_cast<std::size_t>(a)] +
+                                 place * (points[static_cast<std::size_t>(b)] - points[static_cast<std::size_t>(a)]));
+                faces.push_back({last, static_cast<std::int32_t>(points.size()) - 1, c});
+                last = faces.back()[1];
+            }
+            faces.push_back({last, b, c});
+        }
+        const PolygonSoup soup = soup_of(points, faces);
+        const TriangleMesh mesh = cleaned(soup, report);
+        EXPECT_EQ(validate(mesh), "");
+        EXPECT_EQ(report.degenerate_faces, 0);
+        double area = 0;
+        for (const double each : compute_geometry(mesh).areas) area += each;
+        EXPECT_NEAR(area, 2 * (4 + 4 + 1), 1e-7);
+        for (const double each : compute_geometry(mesh).areas) EXPECT_GT(each, 1e-6);  // none of rounding
+        // A side that was cut at different places from both sides has no row of edges from end to end on either.
+        EXPECT_LE(report.boundary_edges, 5 * 6);
+        EXPECT_EQ(mesh.input_face_count, soup.face_count());
+    }
+}
+
+/// Boards that are laid edge to edge, shifted: no edge of either ends where one of the other does.
+TEST(CleanMesh, WhatOnlyComesNearIsNotCut) {
+    const PolygonSoup sheets = joined(soup_of({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}}, {{0, 1, 2, 3}}),
+                                      soup_of({{1, 1, 0}, {3, 1, 0}, {3, 2, 0}, {1, 2, 0}}, {{0, 1, 2, 3}}));
+    MeshReport report;
+    EXPECT_EQ(cleaned(sheets, report).triangles.size(), 4U);
+    EXPECT_TRUE(report.notes.empty());
+    EXPECT_EQ(report.boundary_edges, 8);
+}
+
 TEST(CleanMesh, LeavesAGoodBoxAlone) {
     MeshReport report;
     const TriangleMesh mesh = cleaned(box(), report);
