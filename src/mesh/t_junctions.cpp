@@ -1,8 +1,9 @@
-// Programs that cut one face and not its neighbour leave a vertex in the middle of the neighbour's edge. For the eye the
-// surface is closed there, for whoever walks over it it is open: a plate would fall into pieces. From one end of each
-// open edge we walk along open edges that lie on it; where the walk comes to the other end, the triangle is cut at the
-// vertices on the way. A triangle with such vertices on its sides is a convex polygon with corners of 180 degrees. Its
-// smallest corner is cut off until nothing is left; three vertices on one side are no corner, whatever rounding says.
+// Programs that cut one face and not its neighbour leave a vertex in the middle of the neighbour's edge. For the eye
+// the surface is closed there, for whoever walks over it it is open: a plate would fall into pieces. From one end of
+// each open edge we walk along open edges that lie on it; where the walk comes to the other end, the triangle is cut at
+// the vertices on the way. A triangle with such vertices on its sides is a convex polygon with corners of 180 degrees.
+// Its smallest corner is cut off until nothing is left; three vertices on one side are no corner, whatever rounding
+// says.
 
 #include "mesh/t_junctions.h"
 
@@ -114,6 +115,14 @@ void cut_up(const std::vector<Vec3>& positions, std::vector<OnSides> polygon, st
     }
 }
 
+/// Of a triangle so flat that its third corner is on the way along its longest side.
+bool meets_itself(const std::vector<OnSides>& polygon) {
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if (polygon[i].vertex == polygon[j].vertex) return true;
+    return false;
+}
+
 }  // namespace
 
 std::int64_t cut_at_t_junctions(TriangleMesh& mesh, const EdgeTable& edges) {
@@ -127,23 +136,27 @@ std::int64_t cut_at_t_junctions(TriangleMesh& mesh, const EdgeTable& edges) {
     std::vector<Triangle> triangles;
     std::vector<std::int32_t> input_faces;
     auto cut = on_edge.begin();
+    std::int64_t count = 0;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         std::vector<OnSides> polygon;
+        const auto first = cut;
         for (unsigned e = 0; e < 3; ++e) {
             polygon.push_back({mesh.triangles[t][e], 1U << e | 1U << (e + 2) % 3});
             if (cut == on_edge.end() || cut->first != static_cast<std::int32_t>(3 * t + e)) continue;
             for (const std::int32_t vertex : cut->second) polygon.push_back({vertex, 1U << e});
             ++cut;
         }
-        if (polygon.size() == 3)
+        if (polygon.size() == 3 || meets_itself(polygon))
             triangles.push_back(mesh.triangles[t]);
-        else
+        else {
             cut_up(mesh.positions, std::move(polygon), triangles);
+            count += std::distance(first, cut);
+        }
         input_faces.resize(triangles.size(), mesh.input_faces[t]);
     }
     mesh.triangles = std::move(triangles);
     mesh.input_faces = std::move(input_faces);
-    return static_cast<std::int64_t>(on_edge.size());
+    return count;
 }
 
 }  // namespace partonomy
