@@ -109,11 +109,28 @@ std::string ConfigurationSet::count_text() const {
     return conjunction_ ? diagram().count(literals()).digits : std::to_string(count());
 }
 
+namespace {
+
+/// Whether any of `count` words is not zero, looked at in blocks that the compiler takes several words of at a time.
+template <typename Word>
+bool any_word(std::size_t count, const Word& word) {
+    constexpr std::size_t block = 8;
+    std::size_t i = 0;
+    for (; i + block <= count; i += block) {
+        std::uint64_t any = 0;
+        for (std::size_t k = 0; k < block; ++k) any |= word(i + k);
+        if (any != 0) return true;
+    }
+    for (; i < count; ++i)
+        if (word(i) != 0) return true;
+    return false;
+}
+
+}  // namespace
+
 bool ConfigurationSet::is_empty() const {
     if (conjunction_) return conjunction_->is_empty();
-    for (const std::uint64_t word : words_)
-        if (word != 0) return false;
-    return true;
+    return !any_word(words_.size(), [&](std::size_t i) { return words_[i]; });
 }
 
 std::optional<std::size_t> ConfigurationSet::first() const {
@@ -125,9 +142,7 @@ std::optional<std::size_t> ConfigurationSet::first() const {
 bool ConfigurationSet::is_subset_of(const ConfigurationSet& other) const {
     if (conjunction_)
         return std::ranges::all_of(other.literals(), [&](int literal) { return conjunction_->is_inferred(literal); });
-    for (std::size_t i = 0; i < words_.size(); ++i)
-        if ((words_[i] & ~other.words_[i]) != 0) return false;
-    return true;
+    return !any_word(words_.size(), [&](std::size_t i) { return words_[i] & ~other.words_[i]; });
 }
 
 bool ConfigurationSet::intersects(const ConfigurationSet& other) const {
@@ -141,9 +156,7 @@ bool ConfigurationSet::intersects(const ConfigurationSet& other) const {
         if (open == 0) return !is_empty();
         return open == 1 || !(*this & other).is_empty();
     }
-    for (std::size_t i = 0; i < words_.size(); ++i)
-        if ((words_[i] & other.words_[i]) != 0) return true;
-    return false;
+    return any_word(words_.size(), [&](std::size_t i) { return words_[i] & other.words_[i]; });
 }
 
 std::size_t ConfigurationSet::count_common(const ConfigurationSet& other) const {

@@ -127,8 +127,9 @@ ObjectTest::ObjectTest(const Domain& domain, std::span<const int> goals)
 
 ObjectTest::Types ObjectTest::types_of(const ConfigurationSet& region) const {
     Types types = 0;
+    const bool is_any = region.is_empty();
     for (std::size_t t = 0; t < parts_.types.size(); ++t)
-        if (region.is_empty() || parts_.types[t].where.intersects(region)) types |= Types{1} << t;
+        if (is_any || parts_.types[t].where.intersects(region)) types |= Types{1} << t;
     return types;
 }
 
