@@ -20,8 +20,9 @@ namespace {
 using Triangle = std::array<std::int32_t, 3>;
 using Link = std::pair<std::int32_t, std::int32_t>;  ///< from a vertex to another along an open edge
 
-constexpr double straight = 1e-6;  ///< of the mesh's diagonal: how far off the edge a vertex may lie
-constexpr double progress = 1e-3;  ///< of the edge: how far apart vertices on it are at least
+constexpr double straight = 1e-6;           ///< of the mesh's diagonal: how far off the edge a vertex may lie
+constexpr double progress = 1e-3;           ///< of the edge: how far apart vertices on it are at least
+constexpr std::ptrdiff_t most_links = 256;  ///< of a vertex: where more open edges meet is no side of a face, but a fan
 
 class Walker {
 public:
@@ -50,10 +51,11 @@ public:
         std::int32_t here = from;
         double share = 0;
         while (length > 0 && here != to) {
+            const auto first = std::lower_bound(links_.begin(), links_.end(), Link{here, -1});
+            if (links_.end() - first > most_links && (first + most_links)->first == here) return {};
             std::int32_t nearest = -1;
             double nearest_share = 2;
-            for (auto link = std::lower_bound(links_.begin(), links_.end(), Link{here, -1});
-                 link != links_.end() && link->first == here; ++link) {
+            for (auto link = first; link != links_.end() && link->first == here; ++link) {
                 if (here == from && link->second == to) continue;  // the edge itself
                 const Vec3 there = at(link->second) - start;
                 const double s = link->second == to ? 1 : there.dot(way) / (length * length);
