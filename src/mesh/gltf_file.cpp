@@ -20,9 +20,9 @@
 namespace partonomy {
 namespace {
 
-constexpr std::uint32_t glb_magic = 0x46546C67, json_chunk = 0x4E4F534A, binary_chunk = 0x004E4942;
 constexpr std::uintmax_t largest_buffer = std::uintmax_t{1} << 34;
 constexpr std::size_t largest_json = std::size_t{1} << 29;
+constexpr std::uint32_t json_chunk = 0x4E4F534A, binary_chunk = 0x004E4942;
 
 std::uint32_t little_32(const char* data) {
     const auto byte = [&](int i) { return static_cast<std::uint32_t>(static_cast<unsigned char>(data[i])); };
