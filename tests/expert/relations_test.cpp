@@ -3,6 +3,7 @@
 #include "algorithms/relations.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -26,9 +27,10 @@ struct OnFurniture {
     knowledge::Domain domain;
     Catalogue catalogue;
     explicit OnFurniture(const std::string& frames) {
-        const std::filesystem::path folder =  // of its own, since imports are looked for beside the file
-            std::filesystem::temp_directory_path() /
-            ("partonomy-relations-" + std::to_string(std::hash<std::string>{}(frames)));
+        // Of its own, since imports are looked for beside the file; tests with the same frames run side by side.
+        const std::filesystem::path folder =
+            std::filesystem::temp_directory_path() / ("partonomy-relations-" + std::to_string(::getpid()) + "-" +
+                                                      std::to_string(std::hash<std::string>{}(frames)));
         std::filesystem::create_directories(folder);
         const std::filesystem::path file = folder / "o.omn";
         std::ofstream(file) << "Prefix: : <http://example.org/r#>\n"
