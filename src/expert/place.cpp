@@ -7,8 +7,8 @@
  * mostly has an upright mirror plane; what lies often has none), and when its height is typical of what it is
  * (core:typicalHeight, a trapezoid in metres at the concepts of objects). Files are rarely upside down, so the negative
  * axes count a little less. The product of these counts, and the confidence is the best placement's share of the best
- * and the next together. A unit that is not clearly more plausible
- * than the others is not set: questions that need it stay open. */
+ * and the next together. A unit that is not clearly more plausible than the others is not set: questions that need it
+ * stay open. */
 
 #include "expert/place.h"
 

@@ -14,8 +14,8 @@
 
 // From the polygons of a file to a mesh that the rest can trust, in this order: weld, triangulate, leave out what has
 // no area and what is there twice, number the vertices that remain in file order, cut edges at T-junctions, make the
-// winding agree. Each step is
-// linear but for small sorts. Nothing moves: every position that stays has exactly the coordinates of the file.
+// winding agree. Each step is linear but for small sorts. Nothing moves: every position that stays has exactly the
+// coordinates of the file.
 
 namespace partonomy {
 namespace {
