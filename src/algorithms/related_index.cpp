@@ -3,11 +3,12 @@
  * Regions are leaves of a tree of boxes, halved at the median along the side where their middles are spread most; a
  * second tree is halved by the sides of the regions themselves, for relations that look at sizes only. From the root
  * down, each measure of the relation tells between which numbers its value lies for all regions below
- * (RelationMeasure:: range); where a trapezoid is 0 on all of them, the branch is left. What remains is asked by T. So
- * TF tells exactly what asking T of everybody would tell: no region that T scores above 0 is lost.
+ * (RelationMeasure:: range); where a trapezoid is 0 on all of them, the branch is left, and where all are 1 there, all
+ * regions below it are found. What remains is asked by T. So TF tells exactly what asking T of everybody would tell: no
+ * region that T scores above 0 is lost.
  *
- * Cost: O(n log n) to build; then T for what is found and its neighbours. Relations without a range (parallel,
- * orthogonal) and those that nearly all regions are in (far) look at everybody. */
+ * Cost: O(n log n) to build; then what is found, and T for what is near its border. Relations without a range
+ * (parallel, orthogonal) ask everybody; they compare two directions only. */
 
 #include "algorithms/related_index.h"
 
@@ -73,15 +74,17 @@ std::vector<RelatedIndex::Related> RelatedIndex::find(std::span<const knowledge:
         tuple.push_back(region < 0 ? nullptr : places_[static_cast<std::size_t>(region)]);
         surrounds.push_back(region < 0 ? nullptr : &surrounds_[static_cast<std::size_t>(region)]);
     }
-    const Tree& tree = looks_at_sizes_only(criteria) ? by_size_ : by_place_;
+    const RelationTest test(criteria);
+    const Tree& tree = test.looks_at_sizes_only() ? by_size_ : by_place_;
     std::vector<std::size_t> waiting{0};
     while (!waiting.empty()) {
         const std::size_t index = waiting.back();
         const Node& node = tree.nodes[index];
         waiting.pop_back();
         surrounds[open] = &node.surround;
-        if (!may_be_related(criteria, scene_, surrounds)) continue;
-        if (node.second != 0) {
+        const RelationTest::Prospect prospect = test.prospect(scene_, surrounds);
+        if (prospect == RelationTest::Prospect::none) continue;
+        if (node.second != 0 && prospect == RelationTest::Prospect::open) {
             waiting.push_back(node.second);
             waiting.push_back(index + 1);
             continue;
@@ -90,7 +93,10 @@ std::vector<RelatedIndex::Related> RelatedIndex::find(std::span<const knowledge:
             const auto region = static_cast<int>(tree.order[i]);
             if (std::ranges::find(regions, region) != regions.end()) continue;
             tuple[open] = places_[tree.order[i]];
-            const std::optional<double> score = relation_score(criteria, scene_, tuple);
+            surrounds[open] = &surrounds_[tree.order[i]];
+            const std::optional<double> score = prospect == RelationTest::Prospect::sure
+                                                    ? std::optional<double>(1)
+                                                    : test.score(scene_, tuple, surrounds);
             if (!score || *score > 0) found.push_back({region, score});
         }
     }

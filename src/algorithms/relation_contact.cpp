@@ -47,15 +47,38 @@ std::optional<double> gap(const Scene& scene, Regions r) {
     return scene.diagonal > 0 ? tree_of(scene, *r[0]).distance(tree_of(scene, *r[1])) / scene.diagonal : 0;
 }
 
+/// Each side of a box is met by what is within: no farther than the farthest points of the two nearest sides.
+double at_most_apart(const Surround& a, const Surround& b) {
+    double nearest = infinity;
+    for (int axis = 0; axis < 3; ++axis) {
+        const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+        const auto farthest = [&](int i) {
+            return std::max(a.high_to[i] - b.low_from[i], b.high_to[i] - a.low_from[i]);
+        };
+        const auto sides_apart = [](double x_from, double x_to, double y_from, double y_to) {
+            return std::max(std::abs(x_to - y_from), std::abs(y_to - x_from));
+        };
+        const double along =
+            std::min({sides_apart(a.low_from[axis], a.low_to[axis], b.low_from[axis], b.low_to[axis]),
+                      sides_apart(a.low_from[axis], a.low_to[axis], b.high_from[axis], b.high_to[axis]),
+                      sides_apart(a.high_from[axis], a.high_to[axis], b.low_from[axis], b.low_to[axis]),
+                      sides_apart(a.high_from[axis], a.high_to[axis], b.high_from[axis], b.high_to[axis])});
+        nearest = std::min(nearest, std::hypot(along, farthest(u), farthest(v)));
+    }
+    return nearest;
+}
+
 Interval gap_range(const Scene& scene, Surrounds s) {
-    return {scene.diagonal > 0 ? apart(*s[0], *s[1]) / scene.diagonal : 0, infinity};
+    if (!(scene.diagonal > 0)) return {0, 0};
+    return {apart(*s[0], *s[1]) / scene.diagonal, at_most_apart(*s[0], *s[1]) / scene.diagonal};
 }
 
 /// Ends of the stretch from p to q that is within reach of the triangle, as fractions of the way; none: first > second.
 std::pair<double, double> near_stretch(const Vec3& p, const Vec3& q, const Triangle& triangle, double reach) {
+    if (distance_of_edge(p, q, triangle) > reach) return {1, 0};
     const auto distance = [&](double t) { return distance_to_triangle(p + t * (q - p), triangle); };
     double low = 0, high = 1;
-    for (int i = 0; i < 50; ++i) {
+    for (int i = 0; i < 50 && distance((low + high) / 2) > reach; ++i) {
         const double a = low + (high - low) / 3, b = high - (high - low) / 3;
         if (distance(a) <= distance(b))
             high = b;
@@ -68,7 +91,7 @@ std::pair<double, double> near_stretch(const Vec3& p, const Vec3& q, const Trian
     if (distance(nearest) > reach) return {1, 0};
     const auto border = [&](double inside, double outside) {
         if (distance(outside) <= reach) return outside;
-        for (int i = 0; i < 40; ++i) {
+        for (int i = 0; i < 30; ++i) {
             const double half = (inside + outside) / 2;
             (distance(half) <= reach ? inside : outside) = half;
         }

@@ -90,6 +90,15 @@ Interval foot_rise_range(const Scene& scene, std::span<const Surround* const> s)
     return {metres * (s[0]->low_from.z() - s[1]->high_to.z()), metres * (s[0]->low_to.z() - s[1]->high_from.z())};
 }
 
+/// Of the boxes: what stands within them is no nearer, and so is no middle.
+Interval plan_range(const Scene& scene, std::span<const Surround* const> s) {
+    const std::optional<double>& metres = scene.object->placement.metres_per_unit;
+    if (!metres) return {-infinity, infinity};
+    const auto apart =
+        (s[0]->low_from - s[1]->high_to).cwiseMax(s[1]->low_from - s[0]->high_to).cwiseMax(0.0).head<2>().eval();
+    return {*metres * apart.norm(), infinity};
+}
+
 std::optional<double> plan_distance(const Scene& scene, Regions r) {
     const std::vector<Point>&a = outline_of(scene, *r[0]), &b = outline_of(scene, *r[1]);
     if (!is_parted(a, b) && !is_parted(b, a)) return in_metres(scene, 0);
@@ -111,10 +120,11 @@ std::optional<double> middle_distance(const Scene& scene, Regions r) {
 void add_plan_measures(std::vector<RelationMeasure>& measures) {
     measures.push_back({"foot rise", 2, "m", "from the top of the reference up to the foot of the target", foot_rise,
                         foot_rise_range});
-    measures.push_back(
-        {"plan distance", 2, "m", "distance of the two seen from above, 0 where they overlap", plan_distance});
+    measures.push_back({"plan distance", 2, "m", "distance of the two seen from above, 0 where they overlap",
+                        plan_distance, plan_range});
     measures.push_back({"middle distance", 2, "m",
-                        "from the middle of the target to the reference, seen from above; 0 over it", middle_distance});
+                        "from the middle of the target to the reference, seen from above; 0 over it", middle_distance,
+                        plan_range});
 }
 
 }  // namespace partonomy

@@ -5,8 +5,8 @@
  * object's height or diagonal, so that no unit is needed. Those of relation_plan.cpp are in metres.
  *
  * A measurement may cost a look at every triangle of both regions. Most tuples are decided before that: each measure
- * tells from boxes and sizes between which numbers its value must lie, and where the trapezoid is 0 on all of them, the
- * score is. The same question is asked of whole branches of a tree by TF (related_index.cpp). */
+ * tells from boxes and sizes between which numbers its value must lie, and where the trapezoid is 0, or 1, on all of
+ * them, the score is. The same question is asked of whole branches of a tree by TF (related_index.cpp). */
 
 #include "algorithms/relations.h"
 
@@ -45,6 +45,14 @@ bool is_zero_on(const knowledge::Criterion& c, const Interval& interval) {
            interval.low > c.a4 + (std::isfinite(slack) ? slack : 0);
 }
 
+/// Whether it is 1 on all of the interval.
+bool is_one_on(const knowledge::Criterion& c, const Interval& interval) {
+    if (interval.low == -infinity && interval.high == infinity) return false;  // nor is there always a value
+    const double slack = 1e-9 * (1 + std::abs(interval.low) + std::abs(interval.high));
+    const double margin = std::isfinite(slack) ? slack : 1e-9;
+    return interval.low - margin >= c.a2 && interval.high + margin <= c.a3;
+}
+
 }  // namespace
 
 Surround surround_of(const RegionPlace& place) {
@@ -72,45 +80,57 @@ const RelationMeasure* find_relation_measure(const std::string& name) {
     return nullptr;
 }
 
-bool may_be_related(std::span<const knowledge::Criterion> criteria, const Scene& scene,
-                    std::span<const Surround* const> surrounds) {
-    return std::ranges::none_of(criteria, [&](const knowledge::Criterion& c) {
-        const RelationMeasure* measure = find_relation_measure(c.measure);
-        return measure && measure->range && is_zero_on(c, measure->range(scene, surrounds));
-    });
+RelationTest::RelationTest(std::span<const knowledge::Criterion> criteria) {
+    for (const knowledge::Criterion& criterion : criteria)
+        parts_.push_back({&criterion, find_relation_measure(criterion.measure)});
 }
 
-bool looks_at_sizes_only(std::span<const knowledge::Criterion> criteria) {
-    return std::ranges::none_of(criteria, [](const knowledge::Criterion& c) {
-        const RelationMeasure* measure = find_relation_measure(c.measure);
-        return measure && measure->range && !measure->by_size;
-    });
-}
-
-std::optional<double> relation_score(std::span<const knowledge::Criterion> criteria, const Scene& scene,
-                                     RelationMeasure::Regions regions) {
-    if (criteria.empty()) return std::nullopt;
-    std::array<Surround, 3> surrounds;
-    std::array<const Surround*, 3> each{&surrounds[0], &surrounds[1], &surrounds[2]};
-    if (regions.size() > each.size()) return std::nullopt;
-    for (std::size_t i = 0; i < regions.size(); ++i) surrounds[i] = surround_of(*regions[i]);
-    for (const knowledge::Criterion& c : criteria) {
-        const RelationMeasure* measure = find_relation_measure(c.measure);
-        if (!measure || measure->arity != regions.size()) return std::nullopt;
+RelationTest::Prospect RelationTest::prospect(const Scene& scene, std::span<const Surround* const> surrounds) const {
+    Prospect prospect = parts_.empty() ? Prospect::open : Prospect::sure;
+    for (const auto& [criterion, measure] : parts_) {
+        if (!measure || !measure->range || measure->arity != surrounds.size()) {
+            prospect = Prospect::open;
+            continue;
+        }
+        const Interval interval = measure->range(scene, surrounds);
+        if (is_zero_on(*criterion, interval)) return Prospect::none;
+        if (!is_one_on(*criterion, interval)) prospect = Prospect::open;
     }
-    if (!may_be_related(criteria, scene, std::span(each).first(regions.size()))) return 0;
+    return prospect;
+}
+
+bool RelationTest::looks_at_sizes_only() const {
+    return std::ranges::none_of(
+        parts_, [](const Part& part) { return part.measure && part.measure->range && !part.measure->by_size; });
+}
+
+std::optional<double> RelationTest::score(const Scene& scene, RelationMeasure::Regions regions,
+                                          std::span<const Surround* const> surrounds) const {
+    if (parts_.empty()) return std::nullopt;
+    for (const Part& part : parts_)
+        if (!part.measure || part.measure->arity != regions.size()) return std::nullopt;
+    const Prospect before = prospect(scene, surrounds);
+    if (before != Prospect::open) return before == Prospect::sure ? 1 : 0;
     double score = 1;
     bool is_known = true;
-    for (const knowledge::Criterion& c : criteria) {
-        const RelationMeasure* measure = find_relation_measure(c.measure);
+    for (const auto& [criterion, measure] : parts_) {
         const std::optional<double> x = measure->value(scene, regions);
         if (x)
-            score = std::min(score, Trapezoid{c.a1, c.a2, c.a3, c.a4}(*x));
+            score = std::min(score, Trapezoid{criterion->a1, criterion->a2, criterion->a3, criterion->a4}(*x));
         else
             is_known = false;
         if (score == 0) return 0;  // whatever the others are
     }
     return is_known ? std::optional(score) : std::nullopt;
+}
+
+std::optional<double> relation_score(std::span<const knowledge::Criterion> criteria, const Scene& scene,
+                                     RelationMeasure::Regions regions) {
+    std::array<Surround, 3> surrounds;
+    const std::array<const Surround*, 3> each{&surrounds[0], &surrounds[1], &surrounds[2]};
+    if (regions.size() > each.size()) return std::nullopt;
+    for (std::size_t i = 0; i < regions.size(); ++i) surrounds[i] = surround_of(*regions[i]);
+    return RelationTest(criteria).score(scene, regions, std::span(each).first(regions.size()));
 }
 
 const knowledge::Criterion& touching() {

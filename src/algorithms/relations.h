@@ -34,7 +34,7 @@ struct RelationMeasure {
     /// nullopt when nothing can tell.
     std::function<std::optional<double>(const Scene&, Regions)> value;
     /// Between which numbers `value` lies for all regions within these surrounds, however roughly; so that most tuples
-    /// need not be measured. Empty: anywhere.
+    /// need not be measured. Both ends infinite: anywhere, or nothing can tell. Empty: the same for all regions.
     std::function<Interval(const Scene&, std::span<const Surround* const>)> range = nullptr;
     bool by_size = false;  ///< the range looks at the sizes of regions, not at where they lie
 };
@@ -43,17 +43,32 @@ struct RelationMeasure {
 void add_relation_measure(RelationMeasure measure);
 [[nodiscard]] const RelationMeasure* find_relation_measure(const std::string& name);
 
+/// One relation, ready to be asked of many regions. The criteria must outlive it.
+class RelationTest {
+public:
+    explicit RelationTest(std::span<const knowledge::Criterion> criteria);
+
+    /// What surrounds tell of all regions within them: the score of each is 0, 1, or must be measured.
+    enum class Prospect { none, open, sure };
+    [[nodiscard]] Prospect prospect(const Scene& scene, std::span<const Surround* const> surrounds) const;
+    /// As relation_score(); `surrounds` are those of the regions.
+    [[nodiscard]] std::optional<double> score(const Scene& scene, RelationMeasure::Regions regions,
+                                              std::span<const Surround* const> surrounds) const;
+    /// Whether the boxes of regions tell nothing of the relation.
+    [[nodiscard]] bool looks_at_sizes_only() const;
+
+private:
+    struct Part {
+        const knowledge::Criterion* criterion;
+        const RelationMeasure* measure;  ///< null: there is none of that name
+    };
+    std::vector<Part> parts_;
+};
+
 /// T: score in [0, 1] of "these regions are in the relation", the lowest of its trapezoids; >= 0.5 means yes. nullopt
 /// when nothing can tell: no criterion, a measure of another number of regions, or one that has no answer for them.
 [[nodiscard]] std::optional<double> relation_score(std::span<const knowledge::Criterion> criteria, const Scene& scene,
                                                    RelationMeasure::Regions regions);
-
-/// Whether regions within these surrounds may have a score above 0.
-[[nodiscard]] bool may_be_related(std::span<const knowledge::Criterion> criteria, const Scene& scene,
-                                  std::span<const Surround* const> surrounds);
-
-/// Whether the boxes of regions tell nothing of their relation.
-[[nodiscard]] bool looks_at_sizes_only(std::span<const knowledge::Criterion> criteria);
 
 /// The trapezoid of "they touch", for an ontology that does not say it itself (core:Connected).
 [[nodiscard]] const knowledge::Criterion& touching();

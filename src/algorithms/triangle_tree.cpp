@@ -1,15 +1,16 @@
 /* Distances between surfaces.
  *
  * Two triangles (Ericson, "Real-Time Collision Detection", 2005, chapter 5): 0 when an edge of one pierces the other,
- * else the smallest of vertex to triangle (6) and edge to edge (9). Two surfaces: their triangles are sorted into boxes
- * within boxes, halved at the median of the longest side; pairs of boxes are opened, the nearer pair first, and left
- * when they cannot beat the smallest distance so far. Cost: O(n log n) to build, then about as many pairs of triangles
- * as lie near each other. */
+ * else the smallest of vertex to plane, where it is above the triangle (6), and edge to edge (9). Two surfaces: their
+ * triangles are sorted into boxes within boxes, halved at the median of the longest side; pairs of boxes are opened,
+ * the nearer pair first, and left when they cannot beat the smallest distance so far. Cost: O(n log n) to build, then
+ * about as many pairs of triangles as lie near each other. */
 
 #include "algorithms/triangle_tree.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace partonomy {
@@ -24,17 +25,38 @@ Vec3 nearest_on_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
     return length > 0 ? Vec3(a + std::clamp((p - a).dot(ab) / length, 0.0, 1.0) * ab) : a;
 }
 
-double distance_of_segments(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-    const Vec3 u = b - a, v = d - c, w = a - c;
-    const double uu = u.squaredNorm(), vv = v.squaredNorm(), uv = u.dot(v), determinant = uu * vv - uv * uv;
-    double nearest = std::min({(a - nearest_on_segment(a, c, d)).norm(), (b - nearest_on_segment(b, c, d)).norm(),
-                               (c - nearest_on_segment(c, a, b)).norm(), (d - nearest_on_segment(d, a, b)).norm()});
-    if (determinant > 1e-12 * uu * vv) {
-        const double s = (uv * v.dot(w) - vv * u.dot(w)) / determinant,
-                     t = (uu * v.dot(w) - uv * u.dot(w)) / determinant;
-        if (s >= 0 && s <= 1 && t >= 0 && t <= 1) nearest = std::min(nearest, (a + s * u - c - t * v).norm());
+/// Of the segments from p to p + u and from q to q + v.
+double squared_distance_of_segments(const Vec3& p, const Vec3& u, const Vec3& q, const Vec3& v) {
+    const Vec3 w = p - q;
+    const double uu = u.squaredNorm(), vv = v.squaredNorm(), uv = u.dot(v), uw = u.dot(w), vw = v.dot(w);
+    const double determinant = uu * vv - uv * uv;
+    double s = determinant > 1e-12 * uu * vv ? std::clamp((uv * vw - uw * vv) / determinant, 0.0, 1.0) : 0;
+    double t = vv > 0 ? (uv * s + vw) / vv : 0;
+    if (!(t >= 0 && t <= 1)) {
+        t = t < 0 ? 0 : 1;
+        s = uu > 0 ? std::clamp((uv * t - uw) / uu, 0.0, 1.0) : 0;
     }
-    return nearest;
+    return (w + s * u - t * v).squaredNorm();
+}
+
+/// 1 over the squared length of the triangle's normal; 0 when it has none.
+double scale_of(const Vec3& normal) { return normal.squaredNorm() > 0 ? 1 / normal.squaredNorm() : 0; }
+
+/// Whether the foot of the perpendicular from p is within the triangle.
+bool is_above(const Vec3& p, const Triangle& t, const Vec3& normal) {
+    for (std::size_t i = 0; i < 3; ++i)
+        if (!((t[(i + 1) % 3] - t[i]).cross(p - t[i]).dot(normal) >= 0)) return false;
+    return true;
+}
+
+struct Box {
+    explicit Box(const Triangle& t)
+        : low(t[0].cwiseMin(t[1]).cwiseMin(t[2])), high(t[0].cwiseMax(t[1]).cwiseMax(t[2])) {}
+    Vec3 low, high;
+};
+
+double squared_apart(const Box& a, const Box& b) {
+    return (a.low - b.high).cwiseMax(b.low - a.high).cwiseMax(0.0).squaredNorm();
 }
 
 bool pierces(const Vec3& a, const Vec3& b, const Triangle& t) {
@@ -64,16 +86,28 @@ double distance_to_triangle(const Vec3& p, const Triangle& t) {
 }
 
 double distance_of_triangles(const Triangle& a, const Triangle& b) {
-    double nearest = infinity;
+    const bool may_meet = squared_apart(Box(a), Box(b)) == 0;
+    const std::array<Vec3, 3> u{a[1] - a[0], a[2] - a[1], a[0] - a[2]}, v{b[1] - b[0], b[2] - b[1], b[0] - b[2]};
+    const Vec3 normal_a = u[0].cross(u[1]), normal_b = v[0].cross(v[1]);
+    const double scale_a = scale_of(normal_a), scale_b = scale_of(normal_b);
+    double nearest = infinity;  // squared
     for (std::size_t i = 0; i < 3; ++i) {
-        const Vec3 &from = a[i], &to = a[(i + 1) % 3];
-        if (pierces(from, to, b) || pierces(b[i], b[(i + 1) % 3], a)) return 0;
-        nearest = std::min({nearest, distance_to_triangle(from, b), distance_to_triangle(b[i], a)});
+        if (may_meet && (pierces(a[i], a[i] + u[i], b) || pierces(b[i], b[i] + v[i], a))) return 0;
+        if (scale_b > 0 && is_above(a[i], b, normal_b)) {
+            const double height = (a[i] - b[0]).dot(normal_b);
+            nearest = std::min(nearest, height * height * scale_b);
+        }
+        if (scale_a > 0 && is_above(b[i], a, normal_a)) {
+            const double height = (b[i] - a[0]).dot(normal_a);
+            nearest = std::min(nearest, height * height * scale_a);
+        }
         for (std::size_t j = 0; j < 3; ++j)
-            nearest = std::min(nearest, distance_of_segments(from, to, b[j], b[(j + 1) % 3]));
+            nearest = std::min(nearest, squared_distance_of_segments(a[i], u[i], b[j], v[j]));
     }
-    return nearest;
+    return std::sqrt(nearest);
 }
+
+double distance_of_edge(const Vec3& p, const Vec3& q, const Triangle& t) { return distance_of_triangles({p, q, q}, t); }
 
 TriangleTree::TriangleTree(std::vector<Triangle> triangles) : triangles_(std::move(triangles)) {
     if (triangles_.empty()) return;
@@ -112,9 +146,12 @@ void TriangleTree::approach(const TriangleTree& other, std::size_t mine, std::si
     const Node &a = nodes_[mine], &b = other.nodes_[theirs];
     if (nearest == 0 || apart(a, b) >= nearest) return;
     if (a.is_leaf() && b.is_leaf()) {
-        for (std::size_t i = a.first; i < a.last; ++i)
+        for (std::size_t i = a.first; i < a.last; ++i) {
+            const Box box(triangles_[i]);
             for (std::size_t j = b.first; j < b.last; ++j)
-                nearest = std::min(nearest, distance_of_triangles(triangles_[i], other.triangles_[j]));
+                if (squared_apart(box, Box(other.triangles_[j])) < nearest * nearest)
+                    nearest = std::min(nearest, distance_of_triangles(triangles_[i], other.triangles_[j]));
+        }
         return;
     }
     const bool open_mine = !a.is_leaf() && (b.is_leaf() || a.last - a.first >= b.last - b.first);

@@ -12,6 +12,7 @@ using Triangle = std::array<Vec3, 3>;
 
 /// 0 when they meet.
 [[nodiscard]] double distance_of_triangles(const Triangle& a, const Triangle& b);
+[[nodiscard]] double distance_of_edge(const Vec3& from, const Vec3& to, const Triangle& triangle);
 [[nodiscard]] double distance_to_triangle(const Vec3& point, const Triangle& triangle);
 
 /// Triangles sorted into boxes within boxes.

@@ -23,7 +23,7 @@ using knowledge::Knowledge;
 using owl::Iri;
 
 constexpr std::size_t most_corrections = 8;  // that are listed for one diagnosis
-constexpr int most_parts_explained = 16;     // beyond, a minimal explanation takes longer than all the rest
+constexpr int most_parts_explained = 500;    // beyond, a minimal explanation takes longer than all the rest
 
 const Iri incompatible = std::string(owl::core_prefix) + "Incompatible";
 

@@ -10,7 +10,7 @@
    few others. The first region of each connected set stands for it: a composite part for each region, there when the
    region belongs and is joined to none before it. Its concepts are literals as those of a region are.
 
-   Cost: regions^3 gates for each group at worst. */
+   Cost: regions^3 gates for each group at worst, where all of them hang together; n^2 for n that do. */
 
 #include "knowledge/object_clauses.h"
 
@@ -42,13 +42,19 @@ ObjectClauses::Composites& ObjectClauses::composites(std::size_t g) {
     for (std::size_t a = 0; a < count; ++a)
         for (std::size_t b = a + 1; b < count; ++b)
             joined[a][b] = joined[b][a] = clauses.all_of({touching(a, b), belongs[a], belongs[b]});
-    for (std::size_t k = 0; k < count; ++k)
+    const int never = clauses.never();
+    std::vector<std::size_t> near;  // those that may be joined to k
+    for (std::size_t k = 0; k < count; ++k) {
+        near.clear();
         for (std::size_t a = 0; a < count; ++a)
-            for (std::size_t b = a + 1; b < count; ++b) {
-                if (a == k || b == k) continue;
+            if (a != k && joined[a][k] != never) near.push_back(a);
+        for (std::size_t i = 0; i < near.size(); ++i)
+            for (std::size_t j = i + 1; j < near.size(); ++j) {
+                const std::size_t a = near[i], b = near[j];
                 const int way = clauses.all_of({joined[a][k], joined[k][b]});
                 joined[a][b] = joined[b][a] = clauses.any_of({joined[a][b], way});
             }
+    }
     made.holds.assign(count, std::vector<int>(count, clauses.never()));
     for (std::size_t first = 0; first < count; ++first) {
         std::vector<int> conditions{belongs[first]};

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <set>
 #include <stdexcept>
 
 #include "knowledge/assembly.h"
@@ -92,6 +93,29 @@ void touch(ObjectClauses& object, const std::map<int, std::size_t>& parts, const
         if (parts.contains(a) && parts.contains(b)) object.touch(parts.at(a), parts.at(b));
 }
 
+/// What is likely is tried first: it is all but consistent, so little is left to search for.
+void prefer(Solver& solver, std::span<const Selector> selectors) {
+    std::vector<int> literals;
+    for (const Selector& selector : selectors) literals.push_back(selector.literal);
+    solver.prefer(literals);
+}
+
+/// Whether the formula has a model with `literals`. It is looked for near what the selectors say: those of one conflict
+/// after the other are given up, which takes much less than a search among all objects.
+bool is_possible(Solver& solver, const std::vector<int>& literals, std::span<const Selector> selectors) {
+    std::set<int> kept;
+    for (const Selector& selector : selectors) kept.insert(selector.literal);
+    while (true) {
+        std::vector<int> assumptions = literals;
+        for (const Selector& selector : selectors)
+            if (kept.contains(selector.literal)) assumptions.push_back(selector.literal);
+        if (solver.solve(assumptions) == Verdict::satisfiable) return true;
+        const std::size_t before = kept.size();
+        for (const int literal : solver.core()) kept.erase(literal);
+        if (kept.size() == before) return false;
+    }
+}
+
 /// An object in which the goal fails, with what speaks against that as selectors.
 class Reasons {
 public:
@@ -142,6 +166,7 @@ public:
     /// One explanation, without completeness and axioms from elsewhere when that is possible.
     [[nodiscard]] Explanation one() const {
         Solver solver(object_.clauses);
+        prefer(solver, selectors_);
         std::size_t begin = 0;
         for (const std::size_t later : {first_answer_, std::size_t{!elements_.empty()}})
             if (begin == 0 && later > 0 && conflicts(solver, later)) begin = later;
@@ -152,6 +177,7 @@ public:
 
     [[nodiscard]] Explanations all(const ExplanationOptions& options) const {
         Solver solver(object_.clauses);
+        prefer(solver, selectors_);
         const RankedSets found = all_conflicts(solver, selectors_, options).conflicts;
         Explanations result;
         result.is_complete = found.is_complete;
@@ -262,9 +288,10 @@ std::vector<Correction> cheapest_changes(const Domain& domain, const Knowledge& 
         }
 
     Solver solver(object.clauses);
-    if (solver.solve(others) == Verdict::satisfiable) solver.require(others);
+    prefer(solver, selectors);
+    if (is_possible(solver, others, selectors)) solver.require(others);
     std::vector<Correction> found;
-    if (solver.solve() == Verdict::unsatisfiable) return found;
+    if (!is_possible(solver, {}, selectors)) return found;
     for (const RankedSet& each : cheapest_corrections(solver, selectors, options).sets) {
         found.push_back({{}, each.weight});
         for (const std::size_t i : each.set) found.back().answers.push_back(indices[i]);
