@@ -14,42 +14,35 @@
 namespace partonomy::knowledge {
 namespace {
 
-struct Key {
-    ConfigurationSet set;
-    bool segmented;
-    bool operator==(const Key&) const = default;
-};
-
-struct KeyHash {
-    std::size_t operator()(const Key& key) const { return key.set.hash() * 2 + (key.segmented ? 1 : 0); }
-};
-
 class TreeBuilder {
 public:
     TreeBuilder(const Space& space, const PlanOptions& is_a,
                 const std::function<std::optional<double>(Question)>& find_all, const TreeLimits& limits)
-        : space_(space), asker_(space, is_a), cutter_(space, {is_a.criterion, find_all, is_a.wanted}), limits_(limits) {
+        : space_(space), asker_(space, is_a), limits_(limits) {
+        if (find_all) cutter_ = asker_.with_cost(find_all);
         tree_.space = &space;
-        node(space.possible, !find_all);
+        node(space.possible, !find_all, nullptr);
     }
 
     DecisionTree run() {
         for (std::size_t i = 0; i < tree_.nodes.size(); ++i) {
-            const ConfigurationSet set = tree_.nodes[i].configurations;  // a copy: `node` moves the nodes
-            const bool segmented = tree_.nodes[i].segmented;
+            TreeNode& here = tree_.nodes[i];  // until `node` moves the nodes
+            const ConfigurationSet& set = here.configurations;
+            const bool segmented = here.segmented;
             if (set.is_empty()) continue;
-            std::optional<Question> question = segmented ? asker_.best(set) : cutter_.best_split(set);
-            const bool last = !question && !segmented;
-            if (last) question = cutter_.cheapest_yes(set);
-            if (!question) continue;
-            tree_.nodes[i].question = question;
+            here.question = segmented ? asker_.best(set) : cutter_->best_split(set);
+            const bool last = !here.question && !segmented;
+            if (last) here.question = cutter_->cheapest_yes(set);
+            if (!here.question) continue;
             if (limits_.leave_open && (depths_[i] >= limits_.depth || tree_.nodes.size() + 2 > limits_.nodes)) {
-                tree_.nodes[i].is_open = true;
+                here.is_open = true;
                 continue;
             }
             depth_ = depths_[i] + 1;
-            const ConfigurationSet yes = yes_set(space_, *question);
-            const int yes_node = node(set & yes, true), no_node = last ? -1 : node(set - yes, segmented);
+            const ConfigurationSet yes = yes_set(space_, *here.question);
+            ConfigurationSet inside = set & yes, outside = last ? ConfigurationSet() : set - yes;
+            const int yes_node = node(std::move(inside), true, &i);
+            const int no_node = last ? -1 : node(std::move(outside), segmented, &i);
             tree_.nodes[i].yes = yes_node;
             tree_.nodes[i].no = no_node;
         }
@@ -57,34 +50,45 @@ public:
     }
 
 private:
-    int node(ConfigurationSet set, bool segmented) {
-        const auto [place, added] =
-            known_.emplace(Key{std::move(set), segmented}, static_cast<int>(tree_.nodes.size()));
-        if (!added) return place->second;
+    /// The node of a set; what holds or is excluded in its parent is so in it.
+    int node(ConfigurationSet set, bool segmented, const std::size_t* parent) {
+        std::vector<int>& known = known_[set.hash() * 2 + (segmented ? 1 : 0)];
+        for (const int id : known)
+            if (const TreeNode& other = tree_.nodes[static_cast<std::size_t>(id)];
+                other.segmented == segmented && other.configurations == set)
+                return id;
+        const int id = static_cast<int>(tree_.nodes.size());
+        known.push_back(id);
         if (tree_.nodes.size() >= limits_.nodes)
             throw OntologyError("the decision tree has more than " + std::to_string(limits_.nodes) +
                                 " nodes; say which concepts are wanted, or mention fewer features");
         TreeNode fresh;
-        fresh.configurations = place->first.set;
+        fresh.configurations = std::move(set);
         fresh.segmented = segmented;
-        for (std::size_t c = 0; c < space_.concepts.size(); ++c) {
-            if (!fresh.configurations.intersects(space_.concepts[c].where))
-                fresh.excluded.push_back(static_cast<ConceptId>(c));
-            else if (fresh.configurations.is_subset_of(space_.concepts[c].where))
-                fresh.asserted.push_back(static_cast<ConceptId>(c));
+        const auto has = [&](std::vector<ConceptId> TreeNode::*concepts, ConceptId c) {
+            return parent && std::ranges::binary_search(tree_.nodes[*parent].*concepts, c);
+        };
+        const bool is_empty = fresh.configurations.is_empty();
+        for (ConceptId c = 0; c < static_cast<ConceptId>(space_.concepts.size()); ++c) {
+            const ConfigurationSet& where = space_.concepts[static_cast<std::size_t>(c)].where;
+            if (is_empty || has(&TreeNode::excluded, c) || !fresh.configurations.intersects(where))
+                fresh.excluded.push_back(c);
+            else if (has(&TreeNode::asserted, c) || fresh.configurations.is_subset_of(where))
+                fresh.asserted.push_back(c);
         }
         tree_.nodes.push_back(std::move(fresh));
         depths_.push_back(depth_);
-        return place->second;
+        return id;
     }
 
     const Space& space_;
-    Planner asker_, cutter_;
+    Planner asker_;
+    std::optional<Planner> cutter_;  // where the root stands for the whole mesh
     TreeLimits limits_;
     std::vector<std::size_t> depths_;  // of the first way to each node
     std::size_t depth_ = 0;            // of nodes being made
     DecisionTree tree_;
-    std::unordered_map<Key, int, KeyHash> known_;  // only looked up, never walked
+    std::unordered_map<std::size_t, std::vector<int>> known_;  // nodes by hash; only looked up, never walked
 };
 
 }  // namespace

@@ -1,15 +1,19 @@
 #pragma once
 
+#include <array>
 #include <compare>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 #include "knowledge/domain.h"
+#include "knowledge/plan_rows.h"
 #include "knowledge/split_criterion.h"
 
 namespace partonomy::knowledge {
@@ -54,6 +58,9 @@ public:
     /// One for subsets of `within` only, which may be a small part of the space: then it is as much faster.
     Planner(const Space& space, PlanOptions options, const ConfigurationSet& within);
 
+    /// The same planner where answers cost something else.
+    [[nodiscard]] Planner with_cost(std::function<std::optional<double>(Question)> cost) const;
+
     [[nodiscard]] bool is_decided(const ConfigurationSet& set) const;
     [[nodiscard]] std::optional<Question> best(const ConfigurationSet& set) const;
     /// The best question that splits `set`, decided or not.
@@ -73,25 +80,32 @@ private:
     };
     [[nodiscard]] std::optional<double> cost(const Candidate& candidate) const;
     struct Scored {
-        const Candidate* candidate;
+        std::size_t candidate;
         double score;
         double share;  ///< of the set that answers yes
     };
-    /// The `most` highest scores, the best first; nothing when no question splits `set`.
-    [[nodiscard]] std::vector<Scored> ranking(const ConfigurationSet& set, std::size_t most) const;
-    /// The `most` questions that split `set` most evenly per cost.
-    [[nodiscard]] std::vector<Scored> most_even(const ConfigurationSet& set, std::size_t most) const;
+    /// The `most` highest scores, the best first; nothing when no question splits the set.
+    [[nodiscard]] std::vector<Scored> ranking(const RowCounts& counts, std::size_t most) const;
+    /// The `most` questions that split `count` configurations most evenly per cost.
+    template <typename Yes>
+    [[nodiscard]] std::vector<Scored> most_even(std::size_t count, const Yes& yes_of, std::size_t most) const;
+    /// The best of the questions that split `set` in two, without looking ahead.
+    [[nodiscard]] std::optional<Question> best_alone(const ConfigurationSet& set) const;
     /// The question among the highest scores whose tree costs least.
-    [[nodiscard]] std::optional<Question> look_ahead(const ConfigurationSet& set) const;
+    [[nodiscard]] std::optional<Question> look_ahead(const Rows& rows) const;
     /// What asking on costs on average when every question is the one with the highest score; nullopt when that takes
-    /// more than `budget` new sets.
-    [[nodiscard]] std::optional<double> price_of(const ConfigurationSet& set, std::size_t& budget) const;
+    /// more than `budget` new sets. Of a set that is not decided; puts the rows in another order.
+    [[nodiscard]] std::optional<double> price_of(std::span<std::uint32_t> rows, std::size_t number,
+                                                 const RowCounts& counts, std::size_t& budget, std::size_t depth) const;
+    /// The same after each answer to a question: yes, no.
+    [[nodiscard]] std::array<std::optional<double>, 2> prices_after(std::span<std::uint32_t> rows,
+                                                                    const RowCounts& counts, std::size_t candidate,
+                                                                    std::size_t& budget, std::size_t depth) const;
     [[nodiscard]] double price(const Candidate& candidate) const;
     /// A set as the planner has it: without the configurations that are not in `within_`.
     [[nodiscard]] ConfigurationSet packed(const ConfigurationSet& set) const;
-    [[nodiscard]] std::optional<Question> best_packed(const ConfigurationSet& set) const;
-    [[nodiscard]] std::optional<Question> split_packed(const ConfigurationSet& set) const;
-    [[nodiscard]] bool is_decided_packed(const ConfigurationSet& set) const;
+    [[nodiscard]] bool is_decided(RowSpan rows) const;
+    [[nodiscard]] bool looks_ahead() const;
     /// Over a compiled space; literals of what is wanted, none for the most even split.
     [[nodiscard]] std::optional<Question> best_compiled(const ConfigurationSet& set, const std::vector<int>& wanted,
                                                         bool must_tell) const;
@@ -111,17 +125,11 @@ private:
     mutable std::uint64_t call_ = 0;
     std::vector<ConfigurationSet>
         labels_;  ///< configurations that agree on every wanted concept; none when wanted is empty
-    /// The space row by row, made when first needed: which label a configuration has, and which questions it answers
-    /// with yes. Of configuration i these are yes[first[i]] up to yes[first[i + 1]].
-    struct Rows {
-        std::vector<std::uint32_t> label, first, yes;
-    };
-    [[nodiscard]] const Rows& rows() const;
-    mutable std::optional<Rows> rows_;
-    struct Hash {
-        std::size_t operator()(const ConfigurationSet& set) const { return set.hash(); }
-    };
-    mutable std::unordered_map<ConfigurationSet, double, Hash> prices_;  ///< of sets met so far; only looked up
+    [[nodiscard]] const PlanRows& rows() const;
+    mutable std::shared_ptr<const PlanRows> rows_;  ///< made when first needed
+    mutable RowTable prices_;
+    mutable Rows scratch_;
+    mutable std::deque<std::array<RowCounts, 2>> counts_;  ///< of the two halves, for each depth of price_of
 };
 
 /// A node of the tree, which is a DAG: equal sets of configurations share one node.

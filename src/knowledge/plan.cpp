@@ -22,20 +22,6 @@ constexpr std::size_t look_ahead_budget = 200;  ///< sets to price for one quest
 
 double entropy_sum(double n) { return n > 0 ? n * std::log2(n) : 0; }
 
-/// The same of whole numbers, those below the size of the table looked up.
-class EntropySums {
-public:
-    EntropySums() {
-        for (std::size_t i = 0; i < table_.size(); ++i) table_[i] = entropy_sum(static_cast<double>(i));
-    }
-    double operator()(std::size_t n) const {
-        return n < table_.size() ? table_[n] : entropy_sum(static_cast<double>(n));
-    }
-
-private:
-    std::array<double, 1024> table_;
-};
-
 /// Keeps the first of the highest scores; scores closer than rounding count as equal.
 struct Best {
     std::optional<Question> question;
@@ -47,15 +33,6 @@ struct Best {
         score = other_score;
     }
 };
-
-/// Keeps the `most` highest scores, the first of equal ones first.
-template <typename Scored>
-void offer(std::vector<Scored>& best, Scored scored, std::size_t most) {
-    auto place = best.end();
-    while (place != best.begin() && scored.score > std::prev(place)->score * (1 + 1e-9)) --place;
-    best.insert(place, scored);
-    if (best.size() > most) best.pop_back();
-}
 
 /// Classes of the configurations of a space, `all`, that agree on each of `concepts`.
 std::vector<ConfigurationSet> label_classes(ConfigurationSet all, const std::vector<ConfigurationSet>& concepts) {
@@ -111,6 +88,15 @@ Planner::Planner(const Space& space, PlanOptions options, const ConfigurationSet
     costs_.resize(candidates_.size());
 }
 
+Planner Planner::with_cost(std::function<std::optional<double>(Question)> cost) const {
+    if (!space_->diagram) static_cast<void>(rows());  // is the same for both
+    Planner other = *this;
+    other.options_.cost = std::move(cost);
+    other.costs_.assign(candidates_.size(), {});
+    other.prices_ = {};
+    return other;
+}
+
 ConfigurationSet Planner::packed(const ConfigurationSet& set) const { return within_ ? set.packed(*within_) : set; }
 
 std::optional<double> Planner::cost(const Candidate& candidate) const {
@@ -120,39 +106,48 @@ std::optional<double> Planner::cost(const Candidate& candidate) const {
     return known.cost;
 }
 
-bool Planner::is_decided(const ConfigurationSet& set) const { return is_decided_packed(packed(set)); }
-
-bool Planner::is_decided_packed(const ConfigurationSet& set) const {
+bool Planner::is_decided(const ConfigurationSet& set) const {
     if (space_->diagram) return knowledge::is_decided(*space_, set, options_);
-    if (labels_.empty()) return set.count() <= 1;
-    const auto is_one_label = [&](const ConfigurationSet& some) {
-        const std::optional<std::size_t> first = some.first();
-        return !first || some.is_subset_of(labels_[rows().label[*first]]);
-    };
+    return is_decided(rows_of(packed(set)));
+}
+
+bool Planner::is_decided(RowSpan rows) const {
+    if (labels_.empty()) return rows.size() <= 1;
+    if (open_.empty()) return this->rows().has_one_label(rows);
     // When what nothing can answer tells the label, nothing that is asked will.
-    const auto is_told = [&](const auto& self, const ConfigurationSet& some, std::size_t from) -> bool {
-        if (is_one_label(some)) return true;
+    const auto is_told = [&](const auto& self, std::span<std::uint32_t> some, std::size_t from) -> bool {
+        if (this->rows().has_one_label(some)) return true;
         for (std::size_t i = from; i < open_.size(); ++i) {
-            const ConfigurationSet& yes = candidates_[open_[i]].yes;
-            if (some.is_subset_of(yes) || !some.intersects(yes)) continue;
-            return self(self, some & yes, i + 1) && self(self, some - yes, i + 1);
+            const std::size_t yes = split(some, candidates_[open_[i]].yes, scratch_);
+            if (yes == 0 || yes == some.size()) continue;
+            return self(self, some.first(yes), i + 1) && self(self, some.subspan(yes), i + 1);
         }
         return false;
     };
-    return is_told(is_told, set, 0);
+    Rows copy(rows.begin(), rows.end());
+    return is_told(is_told, copy, 0);
 }
 
-std::optional<Question> Planner::best(const ConfigurationSet& set) const {
+bool Planner::looks_ahead() const {
+    return options_.breadth > 1 && options_.criterion != SplitCriterion::dichotomy && !labels_.empty();
+}
+
+std::optional<Question> Planner::best(const ConfigurationSet& whole_set) const {
     ++call_;
-    return best_packed(packed(set));
-}
-
-std::optional<Question> Planner::best_packed(const ConfigurationSet& set) const {
-    if (is_decided_packed(set)) return std::nullopt;
-    const ConfigurationSet possible = set & possible_;
-    if (!is_decided_packed(possible))
-        if (const std::optional<Question> question = look_ahead(possible)) return question;
-    return look_ahead(set);
+    const ConfigurationSet set = packed(whole_set), possible = set & possible_;
+    if (space_->diagram) {
+        if (is_decided(set)) return std::nullopt;
+        if (!is_decided(possible))
+            if (const std::optional<Question> question = best_alone(possible)) return question;
+        return best_alone(set);
+    }
+    for (const ConfigurationSet* each : {&possible, &set}) {
+        if (each == &set && set == possible) break;
+        const Rows rows = rows_of(*each);
+        if (is_decided(rows)) continue;
+        if (const auto question = looks_ahead() ? look_ahead(rows) : best_alone(*each)) return question;
+    }
+    return std::nullopt;
 }
 
 std::optional<Question> Planner::best_compiled(const ConfigurationSet& set, const std::vector<int>& wanted,
@@ -218,134 +213,9 @@ std::optional<Question> Planner::best_about(const ConfigurationSet& whole_set,
     return best.question;
 }
 
-const Planner::Rows& Planner::rows() const {
-    if (rows_) return *rows_;
-    const std::size_t size = possible_.size();
-    rows_.emplace();
-    rows_->label.resize(size);
-    for (std::size_t label = 0; label < labels_.size(); ++label)
-        labels_[label].for_each([&](std::size_t i) { rows_->label[i] = static_cast<std::uint32_t>(label); });
-    rows_->first.assign(size + 1, 0);
-    for (const Candidate& candidate : candidates_)
-        candidate.yes.for_each([&](std::size_t i) { ++rows_->first[i + 1]; });
-    for (std::size_t i = 0; i < size; ++i) rows_->first[i + 1] += rows_->first[i];
-    rows_->yes.resize(rows_->first[size]);
-    std::vector<std::uint32_t> next(rows_->first.begin(), rows_->first.end() - 1);
-    for (std::size_t c = 0; c < candidates_.size(); ++c)
-        candidates_[c].yes.for_each([&](std::size_t i) { rows_->yes[next[i]++] = static_cast<std::uint32_t>(c); });
-    return *rows_;
-}
-
-std::vector<Planner::Scored> Planner::most_even(const ConfigurationSet& set, std::size_t most) const {
-    const std::size_t count = set.count();
-    std::vector<Scored> even;
-    for (const Candidate& candidate : candidates_) {
-        const std::size_t yes = set.count_common(candidate.yes);
-        if (yes == 0 || yes == count || !cost(candidate)) continue;
-        const auto smaller = static_cast<double>(std::min(yes, count - yes));
-        offer(even, {&candidate, smaller / price(candidate), static_cast<double>(yes) / static_cast<double>(count)},
-              most);
-    }
-    return even;
-}
-
-std::vector<Planner::Scored> Planner::ranking(const ConfigurationSet& set, std::size_t most) const {
-    if (options_.criterion == SplitCriterion::dichotomy || labels_.empty()) return most_even(set, most);
-    const Rows& rows = this->rows();
-    std::size_t count = 0;
-    std::vector<std::size_t> sizes(labels_.size(), 0);  // of the labels within the set
-    set.for_each([&](std::size_t i) {
-        ++count;
-        ++sizes[rows.label[i]];
-    });
-    std::vector<std::uint32_t> place(labels_.size(), 0);  // of a label among those that occur
-    std::size_t labels = 0;
-    for (std::size_t label = 0; label < sizes.size(); ++label) {
-        if (sizes[label] == 0) continue;
-        sizes[labels] = sizes[label];
-        place[label] = static_cast<std::uint32_t>(labels++);
-    }
-    const std::size_t width = candidates_.size();
-    std::vector<std::uint32_t> yes_of(labels * width, 0);  // by label, then candidate
-    set.for_each([&](std::size_t i) {
-        std::uint32_t* inside = &yes_of[place[rows.label[i]] * width];
-        for (std::uint32_t at = rows.first[i]; at < rows.first[i + 1]; ++at) ++inside[rows.yes[at]];
-    });
-    std::vector<std::uint32_t> yes_in_all(width, 0);
-    for (std::size_t label = 0; label < labels; ++label)
-        for (std::size_t c = 0; c < width; ++c) yes_in_all[c] += yes_of[label * width + c];
-    static const EntropySums sums;
-    double open = 0;  // sum of n log n over the classes: entropy = log n - open / n
-    for (std::size_t label = 0; label < labels; ++label) open += sums(sizes[label]);
-    const auto n = static_cast<double>(count);
-    std::vector<Scored> gain;
-    for (std::size_t c = 0; c < width; ++c) {
-        const Candidate& candidate = candidates_[c];
-        const std::size_t yes = yes_in_all[c];
-        if (yes == 0 || yes == count || !cost(candidate)) continue;
-        // n times the gain: n H - (yes H_yes + no H_no)
-        double bits = sums(count) - sums(yes) - sums(count - yes) - open;
-        for (std::size_t label = 0; label < labels; ++label) {
-            const std::size_t inside = yes_of[label * width + c];
-            bits += sums(inside) + sums(sizes[label] - inside);
-        }
-        if (bits > 1e-9 * n) offer(gain, {&candidate, bits / n / price(candidate), static_cast<double>(yes) / n}, most);
-    }
-    return gain.empty() ? most_even(set, most) : gain;
-}
-
 std::optional<Question> Planner::best_split(const ConfigurationSet& set) const {
     ++call_;
-    return split_packed(packed(set));
-}
-
-std::optional<Question> Planner::split_packed(const ConfigurationSet& set) const {
-    if (space_->diagram) {
-        std::vector<int> wanted;
-        for (const ConceptId id : options_.wanted) wanted.push_back(space_->concepts[id].where.literals()[0]);
-        if (const auto question = best_compiled(set, wanted, false)) return question;
-        return best_compiled(set, {}, false);
-    }
-    const std::vector<Scored> best = ranking(set, 1);
-    return best.empty() ? std::nullopt : std::optional(best[0].candidate->question);
-}
-
-double Planner::price(const Candidate& candidate) const {
-    return options_.criterion == SplitCriterion::gain_per_cost ? *cost(candidate) : 1;
-}
-
-std::optional<double> Planner::price_of(const ConfigurationSet& set, std::size_t& budget) const {
-    if (is_decided_packed(set)) return 0;
-    if (const auto found = prices_.find(set); found != prices_.end()) return found->second;
-    if (budget == 0) return std::nullopt;
-    --budget;
-    const std::vector<Scored> best = ranking(set, 1);
-    if (best.empty()) return prices_[set] = 0;
-    const Candidate& asked = *best[0].candidate;
-    const std::optional<double> yes = price_of(set & asked.yes, budget), no = price_of(set - asked.yes, budget);
-    if (!yes || !no) return std::nullopt;
-    const double share = best[0].share;
-    return prices_[set] = price(asked) + share * *yes + (1 - share) * *no;
-}
-
-std::optional<Question> Planner::look_ahead(const ConfigurationSet& set) const {
-    const bool is_wise = options_.breadth > 1 && options_.criterion != SplitCriterion::dichotomy && !labels_.empty();
-    if (space_->diagram || !is_wise) return split_packed(set);
-    std::size_t budget = look_ahead_budget;
-    std::optional<Question> best;
-    double least = 0;
-    for (const Scored& each : ranking(set, options_.breadth)) {
-        const ConfigurationSet& answer = each.candidate->yes;
-        const std::optional<double> yes = price_of(set & answer, budget), no = price_of(set - answer, budget);
-        if (best && (!yes || !no)) break;
-        const double share = each.share;
-        const double whole = yes && no ? price(*each.candidate) + share * *yes + (1 - share) * *no : 0;
-        if (best && whole >= least - 1e-9 * least) continue;
-        best = each.candidate->question;
-        least = whole;
-        if (!yes || !no) break;
-    }
-    return best;
+    return best_alone(packed(set));
 }
 
 std::optional<Question> Planner::cheapest_yes(const ConfigurationSet& whole_set) const {

@@ -45,20 +45,27 @@ std::vector<NodeFeatures> follow(const DecisionTree& tree) {
     for (std::size_t i = 0; i < tree.nodes.size(); ++i) {   // a node's first parent comes before it
         const TreeNode& node = tree.nodes[i];
         if (asked[i].empty()) asked[i].assign(space.variables.size(), 0);
-        // What a parent rules out stays ruled out, and what holds everywhere there holds here.
-        const NodeFeatures& above = features[parent[i]];
-        const auto has = [](const std::vector<Question>& values, Question value) {
-            return std::ranges::binary_search(values, value);
-        };
-        for (std::size_t v = 0; v < space.variables.size(); ++v)
+        // What a parent rules out stays ruled out. A variable has one value: the last that is possible holds.
+        auto excluded_above = features[parent[i]].ruled_out;
+        excluded_above.push_back({static_cast<VariableId>(space.variables.size()), 0});
+        auto next = excluded_above.begin();
+        for (std::size_t v = 0; v < space.variables.size(); ++v) {
+            std::size_t possible = 0;
+            Question last{static_cast<VariableId>(v), 0};
             for (std::size_t k = 0; k < space.variables[v].values.size(); ++k) {
                 const Question value{static_cast<VariableId>(v), static_cast<ValueId>(k)};
-                const ConfigurationSet& holds = space.holds[v][k];
-                if (has(above.ruled_out, value) || !node.configurations.intersects(holds))
+                if (*next == value) {
+                    ++next;
                     features[i].ruled_out.push_back(value);
-                else if (has(above.told, value) || has(above.inferred, value) || node.configurations.is_subset_of(holds))
-                    (asked[i][v] ? features[i].told : features[i].inferred).push_back(value);
+                } else if (!node.configurations.intersects(space.holds[v][k])) {
+                    features[i].ruled_out.push_back(value);
+                } else {
+                    ++possible;
+                    last = value;
+                }
             }
+            if (possible == 1) (asked[i][v] ? features[i].told : features[i].inferred).push_back(last);
+        }
         if (!node.question) continue;
         const std::size_t variable = node.question->variable;
         for (const bool yes : {true, false}) {
