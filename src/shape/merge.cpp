@@ -104,14 +104,24 @@ bool is_sawn(const Border& border, const Lie& a, const Lie& b, double thickness)
     return along_a * along_b < 0 && std::min(std::abs(along_a), std::abs(along_b)) > straight;
 }
 
-/// Whether a piece of a stick lies where the line of a longer one goes on, and all of their sections meet.
-bool goes_on(const Border& border, const Lie& piece, const Lie& stick, double thickness) {
-    constexpr double beside = 0.35, across = 0.7, least_section = 0.3;
+/// Whether a piece of a stick lies where the line of a longer one goes on, and their sections meet: all of them where
+/// the two are not alike in thickness.
+bool goes_on(const Border& border, const Lie& piece, const Lie& stick, double thin, double thick) {
+    constexpr double beside = 0.35, across = 0.7, alike = 1.5, least_section = 0.3, least_alike = 0.1;
     const Vec3 area = border.area();
-    if (area.norm() < least_section * thickness * thickness) return false;
+    const bool is_alike = thick < alike * thin;
+    if (area.norm() < (is_alike ? least_alike * thin * thin : least_section * thick * thick)) return false;
     if (std::abs(area.dot(stick.axis)) < across * area.norm()) return false;
     const Vec3 way = piece.inside - stick.inside;
-    return (way - way.dot(stick.axis) * stick.axis).norm() < beside * thickness + 0.1 * way.norm();
+    return (way - way.dot(stick.axis) * stick.axis).norm() < beside * thick + 0.1 * way.norm();
+}
+
+/// Whether the ring between a thin piece and a thick one is the foot of something thin: the thick one ends there, or
+/// goes on beside it.
+bool is_step(const Border& border, double thin, double thick) {
+    constexpr double alike = 1.5, closed = 0.1, least_section = 0.4;
+    return thick > alike * thin && border.start_to_end.norm() < closed * border.length &&
+           border.area().norm() < least_section * thick * thick;
 }
 
 /// Whether two sticks lie in the same place, as do the two pairs of walls of one stick.
@@ -200,7 +210,7 @@ void merge_parts(const Surface& s, Parts& parts) {
                     seen.at(a, b) += area[a];
                 continue;
             }
-            const bool alike = thick < unlike * thin;
+            const bool alike = thick < unlike * thin && !(is_noisy && is_step(common, thin, thick));
             // Sticks in line meet all around, not only where noise lets their cores touch; unless they are alike in
             // thickness, nothing but a whole ring will do.
             const bool meet = common.smooth > 0.5 * border[a] && common.smooth > (alike ? 2 : 3) * thin;
@@ -209,7 +219,8 @@ void merge_parts(const Surface& s, Parts& parts) {
             if (!(meet && (((alike || are_sticks) && is_in_line()) ||
                            (alike && is_sawn(common, lie_of(a), lie_of(b), thin)))) &&
                 !(alike && is_same_place(lie_of(a), lie_of(b), thin)) &&
-                !(is_noisy && are_sticks && thick < far_unlike * thin && goes_on(common, lie_of(a), lie_of(b), thick)))
+                !(is_noisy && are_sticks && thick < far_unlike * thin &&
+                  goes_on(common, lie_of(a), lie_of(b), thin, thick)))
                 continue;
             seen.at(a, b) += area[a];
         }

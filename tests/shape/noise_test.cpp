@@ -112,7 +112,7 @@ TEST_P(OtherShapesUnderNoise, KeepTheirParts) {
     const Labelled clean = shapes::join(GetParam().blocks, 0.015);
     const std::size_t parts = GetParam().blocks.size();
     for (const auto add : {add_waves, add_grains})
-        for (const unsigned seed : {21U, 22U}) {
+        for (const unsigned seed : {21U, 22U, 23U, 24U}) {
             SCOPED_TRACE(testing::Message() << (add == add_waves ? "waves" : "grains") << ", seed " << seed);
             std::mt19937 random(seed);
             TriangleMesh mesh = clean.mesh;
@@ -134,6 +134,10 @@ TEST_P(OtherShapesUnderNoise, KeepTheirParts) {
 INSTANTIATE_TEST_SUITE_P(
     Kinds, OtherShapesUnderNoise,
     testing::Values(OtherShape{"ThinBoard", {{Vec3(0, 0, 0), Vec3(1, 0.7, 0.05), 0}}},
+                    OtherShape{"ThinStick", {{Vec3(0, 0, 0), Vec3(1, 0.08, 0.08), 0}}},
+                    OtherShape{"CubeOnCube",
+                               {{Vec3(0, 0, 0), Vec3(0.6, 0.6, 0.6), 0},
+                                {Vec3(0.15, 0.15, 0.6), Vec3(0.45, 0.45, 0.9), 1}}},
                     OtherShape{"BoardOnBoard",
                                {{Vec3(0, 0, 0), Vec3(1, 0.6, 0.1), 0}, {Vec3(0.45, 0, 0.1), Vec3(0.55, 0.6, 0.8), 1}}},
                     OtherShape{"FlushBoards",
