@@ -192,40 +192,84 @@ constexpr double too_large_to_turn = 1.5;      // times the smallest start
 constexpr double too_large_to_improve = 1.03;  // times the smallest turned box
 constexpr double second_chance = 1.01;         // a second box this near in volume may turn out to be the smaller one
 
-/// Numbers of the points that are extreme along one of the directions, ascending.
-std::vector<Eigen::Index> extreme_points(std::span<const Vec3> points, const Points& directions) {
-    std::vector<Eigen::Index> extreme;
-    const auto n = static_cast<Eigen::Index>(points.size());
-    const Eigen::Map<const Points> all(points.data()->data(), 3, n);
-    constexpr Eigen::Index block = 256;
-    const Eigen::Index directions_count = directions.cols();
-    Eigen::VectorXd low = Eigen::VectorXd::Constant(directions_count, std::numeric_limits<double>::infinity()),
-                    high = -low;
-    std::vector<Eigen::Index> lowest(static_cast<std::size_t>(directions_count)), highest = lowest;
-    Eigen::MatrixXd along;
-    for (Eigen::Index start = 0; start < n; start += block) {
-        const Eigen::Index count = std::min(block, n - start);
-        along.noalias() = all.middleCols(start, count).transpose() * directions;
-        for (Eigen::Index d = 0; d < directions_count; ++d) {
-            Eigen::Index at = 0;
-            const double smallest = along.col(d).minCoeff(), largest = along.col(d).maxCoeff();
-            if (smallest < low[d]) {
-                along.col(d).minCoeff(&at);
-                low[d] = smallest;
-                lowest[static_cast<std::size_t>(d)] = start + at;
-            }
-            if (largest > high[d]) {
-                along.col(d).maxCoeff(&at);
-                high[d] = largest;
-                highest[static_cast<std::size_t>(d)] = start + at;
+/// What points have along directions: the smallest and largest values, and whose they are.
+class Extremes {
+public:
+    Extremes(std::span<const Vec3> points, const Points& directions)
+        : points_(points.data()->data(), 3, static_cast<Eigen::Index>(points.size())),
+          directions_(directions),
+          low_(Eigen::VectorXd::Constant(directions.cols(), std::numeric_limits<double>::infinity())),
+          high_(-low_),
+          lowest_(static_cast<std::size_t>(directions.cols())),
+          highest_(lowest_) {}
+
+    /// Numbers of the points that are extreme along one of the directions, ascending. Points that follow each other
+    /// mostly lie near each other: a block of them is looked at along a direction only where its bounds reach beyond
+    /// what some points spread over the whole are known to reach.
+    std::vector<Eigen::Index> find() {
+        know_some();
+        Eigen::VectorXd along(block);
+        for (Eigen::Index start = 0; start < points_.cols(); start += block) {
+            const auto some = points_.middleCols(start, std::min(block, points_.cols() - start));
+            const Vec3 low = some.rowwise().minCoeff(), high = some.rowwise().maxCoeff();
+            const Vec3 middle = (low + high) / 2, half = (high - low) / 2;
+            for (Eigen::Index d = 0; d < directions_.cols(); ++d) {
+                const auto direction = directions_.col(d);
+                const double at = middle.dot(direction), reach = half.dot(direction.cwiseAbs()) + slack_;
+                const bool may_be_high = at + reach > std::max(high_[d], known_high_[d]);
+                const bool may_be_low = at - reach < std::min(low_[d], known_low_[d]);
+                if (!may_be_high && !may_be_low) continue;
+                auto values = along.head(some.cols());
+                values.noalias() = some.transpose() * direction;
+                take(d, start, values);
             }
         }
+        std::vector<Eigen::Index> extreme = lowest_;
+        extreme.insert(extreme.end(), highest_.begin(), highest_.end());
+        std::sort(extreme.begin(), extreme.end());
+        extreme.erase(std::unique(extreme.begin(), extreme.end()), extreme.end());
+        return extreme;
     }
-    extreme.insert(extreme.end(), lowest.begin(), lowest.end());
-    extreme.insert(extreme.end(), highest.begin(), highest.end());
-    std::sort(extreme.begin(), extreme.end());
-    extreme.erase(std::unique(extreme.begin(), extreme.end()), extreme.end());
-    return extreme;
+
+private:
+    static constexpr Eigen::Index block = 64, samples = 64;
+
+    void know_some() {
+        const Eigen::Index stride = 1 + points_.cols() / samples, count = (points_.cols() - 1) / stride + 1;
+        Points some(3, count);
+        for (Eigen::Index k = 0; k < count; ++k) some.col(k) = points_.col(k * stride);
+        const Eigen::MatrixXd along = some.transpose() * directions_;
+        known_low_ = along.colwise().minCoeff();
+        known_high_ = along.colwise().maxCoeff();
+        slack_ = 1e-12 * some.cwiseAbs().maxCoeff();  // more than rounding
+        known_low_.array() += slack_;
+        known_high_.array() -= slack_;
+    }
+
+    template <class Values>
+    void take(Eigen::Index d, Eigen::Index start, const Values& values) {
+        Eigen::Index at = 0;
+        if (const double smallest = values.minCoeff(); smallest < low_[d]) {
+            values.minCoeff(&at);
+            low_[d] = smallest;
+            lowest_[static_cast<std::size_t>(d)] = start + at;
+        }
+        if (const double largest = values.maxCoeff(); largest > high_[d]) {
+            values.maxCoeff(&at);
+            high_[d] = largest;
+            highest_[static_cast<std::size_t>(d)] = start + at;
+        }
+    }
+
+    Eigen::Map<const Points> points_;
+    const Points& directions_;
+    Eigen::VectorXd low_, high_, known_low_, known_high_;
+    std::vector<Eigen::Index> lowest_, highest_;
+    double slack_ = 0;
+};
+
+std::vector<Eigen::Index> extreme_points(std::span<const Vec3> points, const Points& directions) {
+    return Extremes(points, directions).find();
 }
 
 Points gather(std::span<const Vec3> points, const std::vector<Eigen::Index>& chosen) {
