@@ -18,7 +18,9 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
 
+#include "base/ranges.h"
 #include "shape/claims.h"
 
 namespace partonomy {
@@ -30,6 +32,7 @@ constexpr double widest = 12;      // edges to each side: growing ends nearer to
 constexpr double crease = 4;       // bend over a thickness (radians) that makes half the cost
 constexpr double inertia = 2;      // cost of a changed triangle: its area / thickness, times this
 constexpr double units = 1 << 20;  // of capacity for one mean edge
+constexpr std::size_t most_teams = 4;  // each holds some numbers for every triangle
 
 using Capacity = std::int64_t;
 
@@ -110,12 +113,14 @@ private:
 
 class Settler {
 public:
-    Settler(const Surface& surface, Parts& parts)
+    Settler(const Surface& surface, const Parts& parts)
         : s_(surface), parts_(parts), node_of_(surface.count(), -1), distance_(surface.count()) {}
 
-    void settle(std::int32_t a, std::int32_t b, const std::vector<std::int32_t>& border) {
+    /// Triangles that change from one of two parts to the other.
+    std::vector<std::int32_t> settle(std::int32_t a, std::int32_t b, const std::vector<std::int32_t>& border) {
+        std::vector<std::int32_t> changing;
         const double thickness = std::min(parts_.parts[a].thickness, parts_.parts[b].thickness);
-        if (!(thickness > 0)) return;
+        if (!(thickness > 0)) return changing;
         double area = 0;
         for (const std::int32_t i : border) area += s_.geometry.areas[i];
         const double edge = 1.5 * std::sqrt(area / static_cast<double>(border.size()));
@@ -123,9 +128,10 @@ public:
         build(a, b, thickness);
         network_.fill();
         for (std::size_t k = 0; k < strip_.size(); ++k) {
-            parts_.part_of[strip_[k]] = network_.level[k] >= 0 ? a : b;
+            if (parts_.part_of[strip_[k]] != (network_.level[k] >= 0 ? a : b)) changing.push_back(strip_[k]);
             node_of_[strip_[k]] = -1;
         }
+        return changing;
     }
 
 private:
@@ -186,7 +192,7 @@ private:
     }
 
     const Surface& s_;
-    Parts& parts_;
+    const Parts& parts_;
     std::vector<std::int32_t> node_of_, strip_;
     std::vector<double> distance_;
     Network network_;
@@ -195,16 +201,37 @@ private:
 }  // namespace
 
 void settle_borders(const Surface& s, Parts& parts) {
-    std::map<std::pair<std::int32_t, std::int32_t>, std::vector<std::int32_t>> borders;
+    struct Border {
+        std::int32_t a, b;
+        std::vector<std::int32_t> triangles, changing;
+    };
+    std::map<std::pair<std::int32_t, std::int32_t>, std::vector<std::int32_t>> along;
     for (std::size_t i = 0; i < s.count(); ++i) {
         const std::int32_t own = parts.part_of[i];
         if (own < 0) continue;
         for (const std::int32_t j : s.adjacency.neighbours[i])
             if (j >= 0 && parts.part_of[j] >= 0 && parts.part_of[j] != own)
-                borders[std::minmax(own, parts.part_of[j])].push_back(static_cast<std::int32_t>(i));
+                along[std::minmax(own, parts.part_of[j])].push_back(static_cast<std::int32_t>(i));
     }
-    Settler settler(s, parts);
-    for (const auto& [pair, border] : borders) settler.settle(pair.first, pair.second, border);
+    std::vector<Border> borders;
+    for (auto& [pair, triangles] : along) borders.push_back({pair.first, pair.second, std::move(triangles), {}});
+    // Each border is drawn as if it were alone. Where two meet, the first takes the triangles that both want.
+    const std::size_t teams = std::min(borders.size(), most_teams);
+    for_each_range(
+        teams, s.threads,
+        [&](std::size_t begin, std::size_t end) {
+            Settler settler(s, parts);
+            for (std::size_t team = begin; team < end; ++team)
+                for (std::size_t k = team; k < borders.size(); k += teams)
+                    borders[k].changing = settler.settle(borders[k].a, borders[k].b, borders[k].triangles);
+        },
+        1);
+    std::vector<char> has_changed(s.count(), 0);
+    for (const auto& [a, b, triangles, changing] : borders)
+        for (const std::int32_t i : changing) {
+            if (std::exchange(has_changed[i], 1) != 0) continue;
+            parts.part_of[i] = parts.part_of[i] == a ? b : a;
+        }
 }
 
 }  // namespace partonomy
