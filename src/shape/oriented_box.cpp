@@ -372,7 +372,10 @@ void keep_small(std::vector<Turned>& boxes, std::size_t most, double times) {
     while (boxes.back().volume > times * boxes.front().volume) boxes.pop_back();
 }
 
-OrientedBox find_box(std::span<const Vec3> points, bool is_exact) {
+}  // namespace
+
+OrientedBox smallest_box(std::span<const Vec3> points) {
+    if (points.empty()) throw std::invalid_argument("smallest_box needs at least one point.");
     static const Points fixed = spread_directions(80);
     std::vector<Eigen::Index> chosen;
     if (points.size() > most_points_at_once) {
@@ -397,12 +400,10 @@ OrientedBox find_box(std::span<const Vec3> points, bool is_exact) {
         keep_small(boxes, most_starts, too_large_to_turn);
         for (Turned& box : boxes) search.turn_exactly(box);
         keep_small(boxes, most_improved, too_large_to_improve);
-        if (is_exact) {
-            for (Turned& box : boxes) search.improve(box);
-            keep_small(boxes, 2, second_chance);
-        }
+        for (Turned& box : boxes) search.improve(box);
+        keep_small(boxes, 2, second_chance);
     }
-    if (!is_exact || chosen.size() == points.size()) return measured_box(points, boxes.front().axes);
+    if (chosen.size() == points.size()) return measured_box(points, boxes.front().axes);
 
     // The points that were left out may stick out: those extreme along the box's axes, and along directions near them,
     // join.
@@ -425,18 +426,6 @@ OrientedBox find_box(std::span<const Vec3> points, bool is_exact) {
     const Turned& best = *std::min_element(boxes.begin(), boxes.end(),
                                            [](const Turned& a, const Turned& b) { return a.volume < b.volume; });
     return measured_box(points, best.axes);
-}
-
-}  // namespace
-
-OrientedBox smallest_box(std::span<const Vec3> points) {
-    if (points.empty()) throw std::invalid_argument("smallest_box needs at least one point.");
-    return find_box(points, true);
-}
-
-OrientedBox small_box(std::span<const Vec3> points) {
-    if (points.empty()) throw std::invalid_argument("small_box needs at least one point.");
-    return find_box(points, false);
 }
 
 }  // namespace partonomy

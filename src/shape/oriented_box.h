@@ -19,8 +19,4 @@ struct OrientedBox {
 /// hull; one point or a flat set gives zero lengths. Throws std::invalid_argument when `points` is empty.
 [[nodiscard]] OrientedBox smallest_box(std::span<const Vec3> points);
 
-/// A box that holds all points in about the place of the smallest one, for less work: the search stops where each of its
-/// axes is the best one for the other two. As smallest_box otherwise.
-[[nodiscard]] OrientedBox small_box(std::span<const Vec3> points);
-
 }  // namespace partonomy

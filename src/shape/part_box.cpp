@@ -107,17 +107,19 @@ public:
     }
 
     PartBox measure() {
-        if (is_noisy_ && area_ > 0) {
-            OrientedBox box = small_box(points_);
-            const Vec3 middle = box.axes.transpose() * box.centre;
-            const Sides outer{middle - box.lengths / 2, middle + box.lengths / 2};
-            if (is_rough(box.axes, outer) && walls(box.axes, outer).is_noisy) {
-                const Eigen::Matrix3d axes = mean_axes(box.axes);
-                return fit(make_box(axes, walls(axes, extremes(axes))));
-            }
+        OrientedBox box = smallest_box(points_);
+        const Vec3 middle = box.axes.transpose() * box.centre;
+        Sides outer{middle - box.lengths / 2, middle + box.lengths / 2};
+        if (!(area_ > 0)) return {box, 1, std::vector<float>(triangles_.size(), 1.0F)};
+        if (!is_noisy_ || !is_rough(box.axes, outer)) return fit(box);
+        Sides sides = walls(box.axes, outer);
+        if (sides.is_noisy) {
+            const Eigen::Matrix3d axes = mean_axes(box.axes);
+            outer = extremes(axes);
+            sides = walls(axes, outer);
+            box = make_box(axes, sides);
         }
-        const OrientedBox box = smallest_box(points_);
-        return area_ > 0 ? fit(box) : PartBox{box, 1, std::vector<float>(triangles_.size(), 1.0F)};
+        return fit(box);
     }
 
 private:
