@@ -506,6 +506,18 @@ std::vector<Core> divide(const Surface& s, std::vector<Core> components, double 
     return cores;
 }
 
+/// Whether what is a stick here and there is one on the whole: noise joins walls that have nothing to do with each other.
+bool is_slim(const Surface& s, const Core& stick) {
+    constexpr double widest = 1.2;  // thicknesses from the axis, as root of the mean square
+    Vec3 middle = Vec3::Zero();
+    for (const std::int32_t i : stick.triangles) middle += s.geometry.areas[i] * s.geometry.barycentres[i];
+    middle /= stick.area;
+    double spread = 0;
+    for (const std::int32_t i : stick.triangles)
+        spread += s.geometry.areas[i] * (s.geometry.barycentres[i] - middle).cross(stick.axis).squaredNorm();
+    return spread < widest * widest * stick.thickness * stick.thickness * stick.area;
+}
+
 }  // namespace
 
 Cores find_cores(const Surface& s) {
@@ -516,7 +528,7 @@ Cores find_cores(const Surface& s) {
         for (const std::int32_t i : core.triangles) taken[i] = 1;
     // Walls that are not parallel, such as those of a stick with three sides, in what is left.
     for (Core& core : divide(s, find_components(s, taken, {slanted_cosine, 4}), total, 4, true))
-        if (core.kind == Solidity::stick) cores.push_back(std::move(core));
+        if (core.kind == Solidity::stick && (s.grain == 0 || is_slim(s, core))) cores.push_back(std::move(core));
     std::stable_sort(cores.begin(), cores.end(), [](const Core& a, const Core& b) { return a.area > b.area; });
     Cores result{std::move(cores), std::vector<std::int32_t>(s.count(), -1)};
     for (std::size_t k = 0; k < result.cores.size(); ++k)

@@ -31,6 +31,7 @@ constexpr double strip = 0.7;      // thicknesses to each side of the border
 constexpr double widest = 12;      // edges to each side: growing ends nearer to the crease than that on any fine mesh
 constexpr double crease = 4;       // bend over a thickness (radians) that makes half the cost
 constexpr double inertia = 2;      // cost of a changed triangle: its area / thickness, times this
+constexpr double noisy_inertia = 0.6;  // under noise growing ends farther from the crease
 constexpr double units = 1 << 20;  // of capacity for one mean edge
 constexpr std::size_t most_teams = 4;  // each holds some numbers for every triangle
 
@@ -175,7 +176,7 @@ private:
                 network_.to[k][e] = node_of_[j];
                 network_.room[k][e] = 1 + std::llround(unit * cost(i, e, j, thickness));
             }
-            const double stay = unit * inertia * s_.geometry.areas[i] / thickness;
+            const double stay = unit * (s_.grain > 0 ? noisy_inertia : inertia) * s_.geometry.areas[i] / thickness;
             network_.terminal[k] =
                 side * (is_edge ? std::numeric_limits<std::int32_t>::max() * Capacity{1024} : std::llround(stay));
         }
