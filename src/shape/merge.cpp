@@ -5,7 +5,9 @@
 // crease; when one of them is a stump without a direction and they lie to both sides of a ring, like two halves of a
 // stick that was sawn through; or when they lie in the same place, as do the two pairs of walls of a stick whose edges
 // noise has torn open. Two boards are one when they lie in the same plane and pass into each other, as a board does
-// whose one wall is parted by what stands on it.
+// whose one wall is parted by what stands on it. Whatever their kind, two parts without a dent between them are one
+// when each lies behind the surface of the other: a drum, its lid and its wall, is a convex solid, and people see parts
+// where a surface bends inward (the minima rule of Hoffman and Richards 1984).
 //
 // Noise tears more. Then a piece of a stick also joins the one whose line it continues, whatever creases the noise has
 // made between them, and a bulge of a board joins the board that is all around it. Cost: O(n) a round; a round joins at
@@ -148,10 +150,36 @@ bool is_same_board(const Border& border, const Core& a, const Core& b, const Lie
     return std::abs(way.dot(b.normal)) < reach && std::abs(way.dot(a.normal)) < reach;
 }
 
+/// A few triangles of each part.
+std::vector<std::vector<std::int32_t>> sample(const Surface& s, const Parts& parts) {
+    constexpr std::size_t enough = 48;
+    std::vector<std::size_t> counts(parts.parts.size(), 0), seen(parts.parts.size(), 0);
+    for (const std::int32_t k : parts.part_of)
+        if (k >= 0) ++counts[k];
+    std::vector<std::vector<std::int32_t>> samples(parts.parts.size());
+    for (std::size_t i = 0; i < s.count(); ++i)
+        if (const std::int32_t k = parts.part_of[i]; k >= 0 && seen[k]++ % (1 + counts[k] / enough) == 0)
+            samples[k].push_back(static_cast<std::int32_t>(i));
+    return samples;
+}
+
+/// Whether each of two parts lies behind the surface of the other, as the pieces of one convex solid do.
+bool are_convex_together(const Surface& s, const std::vector<std::int32_t>& a, const std::vector<std::int32_t>& b) {
+    constexpr double level = 0.02, few = 0.02;  // sine of an angle; share of the pairs
+    std::size_t before = 0;
+    for (const std::int32_t i : a)
+        for (const std::int32_t j : b) {
+            const Vec3 way = s.geometry.barycentres[j] - s.geometry.barycentres[i];
+            const double limit = level * way.norm();
+            before += way.dot(s.geometry.normals[i]) > limit || -way.dot(s.geometry.normals[j]) > limit;
+        }
+    return static_cast<double>(before) <= few * static_cast<double>(a.size() * b.size());
+}
+
 }  // namespace
 
 void merge_parts(const Surface& s, Parts& parts) {
-    constexpr double facing = 0.4, surrounded = 0.8, exactly_alike = 1.25, far_unlike = 4;
+    constexpr double facing = 0.4, surrounded = 0.8, exactly_alike = 1.25, far_unlike = 4, all_around = 0.95;
     const bool is_noisy = s.grain > 0;
     const double unlike = is_noisy ? 2.5 : 1.8;
     for (bool changed = true; changed;) {
@@ -190,9 +218,17 @@ void merge_parts(const Surface& s, Parts& parts) {
             if (lie.empty()) lie = lies(s, parts);
             return lie[part];
         };
+        std::vector<std::vector<std::int32_t>> samples;
         for (const auto& [pair, common] : borders.all) {
             const auto [a, b] = pair;
             if (area[a] > area[b]) continue;
+            if (common.smooth > all_around * common.length) {
+                if (samples.empty()) samples = sample(s, parts);
+                if (are_convex_together(s, samples[a], samples[b])) {
+                    seen.at(a, b) += area[a];
+                    continue;
+                }
+            }
             const bool is_board = parts.parts[a].kind == Solidity::board;
             const double thin = std::min(parts.parts[a].thickness, parts.parts[b].thickness);
             const double thick = std::max(parts.parts[a].thickness, parts.parts[b].thickness);

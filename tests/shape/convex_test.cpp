@@ -1,0 +1,50 @@
+// Solids without a dent are one part, whatever their proportions, and so are those of which larger things are made.
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "shape/find_parts.h"
+#include "shape/shapes.h"
+#include "shape/solids.h"
+
+namespace partonomy {
+namespace {
+
+/// How many parts the surface has as it stands and turned at random.
+void expect_parts(std::size_t count, TriangleMesh mesh, std::mt19937& random) {
+    EXPECT_EQ(find_parts(mesh).size(), count) << "upright";
+    shapes::turn(mesh, shapes::random_turn(random));
+    EXPECT_EQ(find_parts(mesh).size(), count) << "turned";
+}
+
+class Solids : public testing::TestWithParam<int> {};  // sides
+
+TEST_P(Solids, WithoutADentAreOnePart) {
+    std::mt19937 random(31);
+    for (const double top : {1.0, 0.7, 0.4})
+        for (double height = 0.1; height < 6; height *= 1.25) {
+            SCOPED_TRACE("seed 31, top " + std::to_string(top) + ", height " + std::to_string(height));
+            expect_parts(1, solids::revolve({{0, 0}, {0.5, 0}, {0.5 * top, height}, {0, height}}, GetParam(), true), random);
+        }
+}
+
+TEST_P(Solids, OnABarAreAPartEach) {
+    std::mt19937 random(32);
+    for (const double bar : {0.1, 0.17, 0.25})
+        for (double weight = 0.3; weight < 1.5; weight *= 1.3) {
+            SCOPED_TRACE("seed 32, bar " + std::to_string(bar) + ", weight " + std::to_string(weight));
+            const double end = 2 + weight;
+            solids::Outline mallet{{0, 0}, {bar, 0}, {bar, 2}, {0.5, 2}, {0.5, end}, {0, end}}, dumbbell = mallet;
+            dumbbell.insert(dumbbell.begin() + 1, {{0.5, 0}, {0.5, weight}});
+            dumbbell[3].y() = weight;
+            expect_parts(2, solids::revolve(mallet, GetParam(), true), random);
+            expect_parts(3, solids::revolve(dumbbell, GetParam(), true), random);
+        }
+}
+
+INSTANTIATE_TEST_SUITE_P(Sides, Solids, testing::Values(3, 4, 5, 6, 7, 12, 32),
+                         [](const auto& sides) { return "Of" + std::to_string(sides.param); });
+
+}  // namespace
+}  // namespace partonomy
