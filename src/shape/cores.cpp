@@ -506,7 +506,8 @@ std::vector<Core> divide(const Surface& s, std::vector<Core> components, double 
     return cores;
 }
 
-/// Whether what is a stick here and there is one on the whole: noise joins walls that have nothing to do with each other.
+/// Whether what is a stick here and there is one on the whole: noise joins walls that have nothing to do with each
+/// other.
 bool is_slim(const Surface& s, const Core& stick) {
     constexpr double widest = 1.2;  // thicknesses from the axis, as root of the mean square
     Vec3 middle = Vec3::Zero();
