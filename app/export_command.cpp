@@ -39,11 +39,13 @@ owl::Ontology closed_mesh(const Arguments& arguments) {
     used.path = arguments.used_ontology;
     try {
         const knowledge::Domain domain = load_same_ontology(used, annotation);
-        if (!domain.composites.empty())
+        const knowledge::Knowledge known = knowledge_of(domain, annotation);
+        const auto composites = knowledge::composites_for_world(domain, known);
+        if (!composites)
             throw UsageError(folder +
-                             ": its ontology has composite parts, which a closed world does not say; annotate "
-                             "with the layers of regions and objects only");
-        return knowledge::closed_ontology(knowledge::make_mesh_world(domain, knowledge_of(domain, annotation)).world);
+                             ": which composite parts there are is not certain, since features of regions that they "
+                             "could be made of are open, so there is no world to close; partonomy explain shows them");
+        return knowledge::closed_ontology(knowledge::make_mesh_world(domain, known, *composites).world);
     } catch (const nlohmann::json::exception& error) {
         throw UsageError(
             at(folder + "/annotation.json", 0, std::string("is not a complete annotation: ") + error.what()));

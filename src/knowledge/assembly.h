@@ -43,6 +43,7 @@ struct Assembly {
 struct Assembled {
     std::vector<Counts> counts;             ///< that the object may have; ascending
     std::vector<CompositePart> composites;  ///< that there are in any case; by group, then by regions
+    bool is_certain = true;                 ///< there are no others in any case
 };
 
 /// Puts the regions of an object together: each known to lie in its set (empty: nothing is known), those of each pair
@@ -51,6 +52,13 @@ struct Assembled {
                                                     const ConfigurationSet& all,
                                                     const std::vector<ConfigurationSet>& regions,
                                                     const std::vector<std::pair<int, int>>& connected);
+
+/// What follows without the closed world of the mesh (mesh_world.h), which conclude() looks at, too.
+[[nodiscard]] Conclusions conclude_by_spaces(const Domain& domain, const Knowledge& knowledge);
+
+/// The composite parts of a mesh when there is no doubt which there are; nullopt otherwise.
+[[nodiscard]] std::optional<std::vector<CompositePart>> certain_composites(const Domain& domain,
+                                                                           const Knowledge& knowledge);
 
 /// Those of `all_counts` that agree with `some` on regions, or have more of them with `or_more`; ascending. What is
 /// left when composite parts are not known.

@@ -62,6 +62,38 @@ private:
     }
 };
 
+/// Whether an axiom says nothing: what is left where names were replaced by what they stand for.
+bool is_idle(const owl::Axiom& axiom) {
+    const Iri thing = owl::thing()->iri;
+    switch (axiom.kind) {
+        case owl::AxiomKind::sub_class_of:
+            return axiom.classes[0]->iri == thing && axiom.classes[1]->iri == thing;
+        case owl::AxiomKind::equivalent_object_properties:
+        case owl::AxiomKind::equivalent_data_properties:
+            return std::ranges::all_of(axiom.properties, [&](const auto& each) { return each == axiom.properties[0]; });
+        case owl::AxiomKind::inverse_object_properties:
+            return axiom.properties[0].iri == axiom.properties[1].iri &&
+                   axiom.properties[0].inverse != axiom.properties[1].inverse;
+        default:
+            return false;
+    }
+}
+
+/// The same in axioms that OWL has: a disjoint union is of a name there.
+std::vector<owl::Axiom> in_owl(const owl::Axiom& axiom) {
+    if (is_idle(axiom)) return {};
+    if (axiom.kind != owl::AxiomKind::disjoint_union || axiom.classes[0]->kind == owl::ClassKind::named) return {axiom};
+    std::vector<ClassPointer> members(axiom.classes.begin() + 1, axiom.classes.end());
+    owl::Axiom whole = axiom, apart = axiom;
+    whole.kind = owl::AxiomKind::equivalent_classes;
+    whole.classes = {axiom.classes[0],
+                     members.size() == 1 ? members[0] : owl::combined(owl::ClassKind::union_of, members)};
+    apart.kind = owl::AxiomKind::disjoint_classes;
+    apart.classes = members;
+    if (members.size() < 2) return {whole};
+    return {whole, apart};
+}
+
 ClassPointer one_of(std::vector<Iri> individuals) {
     auto result = std::make_shared<ClassExpression>();
     result->kind = owl::ClassKind::one_of;
@@ -111,7 +143,9 @@ owl::Ontology closed_ontology(const ClosedWorld& world) {
         throw UsageError("a closed world needs at least one individual, and the ontology names none; add one");
 
     owl::Ontology result = world.ontology;
-    for (owl::Axiom& axiom : result.axioms) axiom = Closer().closed(axiom);
+    result.axioms.clear();
+    for (const owl::Axiom& axiom : world.ontology.axioms)
+        for (owl::Axiom& each : in_owl(axiom)) result.axioms.push_back(Closer().closed(std::move(each)));
     std::erase_if(result.entities, [](const owl::Entity& entity) { return is_anonymous(entity.iri); });
     result.annotations.clear();
     for (const auto& [iri, annotations] : world.ontology.annotations) {

@@ -184,7 +184,7 @@ void lint_composites(const Theory& theory, Domain& domain) {
         });
     };
     for (const NamedConcept& named : theory.concepts) {
-        if (named.level != Level::composite || named.group >= 0) continue;
+        if (named.level != Level::composite || named.group >= 0 || named.open) continue;
         const std::string name = owl::local_name(named.iri);
         if (named.definition < 0)
             domain.warnings.push_back(name +
@@ -280,7 +280,7 @@ Domain compile(owl::Ontology ontology, const CompileOptions& options) {
     lint_composites(theory, domain);
     domain.ontology = std::move(ontology);
     domain.grounding = std::move(grounding);
-    if (needs_mesh_world(domain, {1, true, {}, {}})) MeshReasoner(domain, {1, true, {}, {}});  // refused now, not later
+    if (domain.grounding->theory.needs_world()) MeshReasoner(domain, {1, true, {}, {}});  // refused now, not later
     return domain;
 }
 

@@ -37,24 +37,27 @@ std::shared_ptr<const Space> objects_with(const Grounding& grounding, std::vecto
 /// Null where configuration spaces say all, where a region contradicts itself, and where the mesh is too large, which
 /// `left_aside` says then.
 std::unique_ptr<MeshReasoner> reasoner_for(const Domain& domain, const Knowledge& knowledge,
-                                           const std::vector<ConfigurationSet>& regions, std::string& left_aside) {
-    if (!needs_mesh_world(domain, knowledge) ||
+                                           const std::vector<ConfigurationSet>& regions,
+                                           const std::optional<Assembled>& assembled, std::string& left_aside) {
+    const Grounding& grounding = *domain.grounding;
+    if (!knowledge.complete || !grounding.theory.needs_world() ||
         std::ranges::any_of(regions, [](const ConfigurationSet& region) { return region.is_empty(); }))
         return nullptr;
+    if (grounding.assembly.has_composites() && (!assembled || !assembled->is_certain)) return nullptr;
     try {
-        return std::make_unique<MeshReasoner>(domain, knowledge);
+        return std::make_unique<MeshReasoner>(domain, knowledge,
+                                              assembled ? assembled->composites : std::vector<CompositePart>{});
     } catch (const OntologyError& error) {  // too many clauses: what else cannot be grounded, compile() has refused
         left_aside = error.what();
         return nullptr;
     }
 }
 
-}  // namespace
-
-Conclusions conclude(const Domain& domain, const Knowledge& knowledge) {
+/// What the answers leave of each region.
+std::vector<ConfigurationSet> told_regions(const Domain& domain, const Knowledge& knowledge) {
     if (!domain.grounding) throw std::invalid_argument("conclude: the domain was not compiled");
-    Conclusions conclusions;
-    conclusions.regions.assign(static_cast<std::size_t>(std::max(0, knowledge.region_count)), domain.regions.all());
+    std::vector<ConfigurationSet> regions(static_cast<std::size_t>(std::max(0, knowledge.region_count)),
+                                          domain.regions.all());
     for (const Answer& answer : knowledge.answers) {
         if (answer.region < 0 || answer.region >= knowledge.region_count)
             throw std::invalid_argument("conclude: an answer is about region " + std::to_string(answer.region));
@@ -62,31 +65,43 @@ Conclusions conclude(const Domain& domain, const Knowledge& knowledge) {
         if (variable >= domain.regions.variables.size() ||
             static_cast<std::size_t>(answer.question.value) >= domain.regions.variables[variable].values.size())
             throw std::invalid_argument("conclude: an answer is to a question that there is not");
-        ConfigurationSet& set = conclusions.regions[answer.region];
+        ConfigurationSet& set = regions[static_cast<std::size_t>(answer.region)];
         if (answer.yes)
             set &= yes_set(domain.regions, answer.question);
         else
             set -= yes_set(domain.regions, answer.question);
     }
-    return conclude_object(domain, knowledge, std::move(conclusions.regions));
+    return regions;
 }
 
-Conclusions conclude_object(const Domain& domain, const Knowledge& knowledge, std::vector<ConfigurationSet> regions) {
+/// The composite parts of regions that are all known; nullopt where there are too many ways.
+std::optional<Assembled> composites_of(const Domain& domain, const Knowledge& knowledge,
+                                       const std::vector<ConfigurationSet>& regions) {
+    if (!knowledge.complete) return std::nullopt;
+    return put_together(domain.grounding->theory, domain.grounding->assembly, domain.regions.all(), regions,
+                        knowledge.connected);
+}
+
+Conclusions conclude_with(const Domain& domain, const Knowledge& knowledge, std::vector<ConfigurationSet> regions,
+                          bool looks_at_world) {
     if (!domain.grounding) throw std::invalid_argument("conclude_object: the domain was not compiled");
     Conclusions conclusions;
     conclusions.regions = std::move(regions);
     bool is_contradicted = false;
-    const std::unique_ptr<MeshReasoner> reasoner =
-        reasoner_for(domain, knowledge, conclusions.regions, conclusions.left_aside);
-    if (reasoner) is_contradicted = !reasoner->narrow(conclusions.regions);
     const Grounding& grounding = *domain.grounding;
+    std::optional<Assembled> assembled;
+    if (grounding.assembly.has_composites()) assembled = composites_of(domain, knowledge, conclusions.regions);
+    std::unique_ptr<MeshReasoner> reasoner;
+    if (looks_at_world)
+        reasoner = reasoner_for(domain, knowledge, conclusions.regions, assembled, conclusions.left_aside);
+    if (reasoner) is_contradicted = !reasoner->narrow(conclusions.regions);
     const Parts& parts = grounding.assembly.parts;
     if (grounding.assembly.has_composites()) {
         const Grounding::Listing& all = grounding.objects();
-        std::optional<Assembled> assembled;
-        if (knowledge.complete)
-            assembled = put_together(grounding.theory, grounding.assembly, domain.regions.all(), conclusions.regions,
-                                     knowledge.connected);
+        if (reasoner && !is_contradicted) {  // the same ones, of which more is known
+            assembled = composites_of(domain, knowledge, conclusions.regions);
+            reasoner->narrow(assembled->composites);
+        }
         conclusions.objects = {domain.grounding, &all.space};
         conclusions.object = all.layer.of(assembled ? assembled->counts
                                                     : with_any_composites(parts, all.layer.counts,
@@ -133,6 +148,26 @@ Conclusions conclude_object(const Domain& domain, const Knowledge& knowledge, st
     conclusions.diagnoses.erase(std::unique(conclusions.diagnoses.begin(), conclusions.diagnoses.end()),
                                 conclusions.diagnoses.end());
     return conclusions;
+}
+
+}  // namespace
+
+Conclusions conclude(const Domain& domain, const Knowledge& knowledge) {
+    return conclude_with(domain, knowledge, told_regions(domain, knowledge), true);
+}
+
+Conclusions conclude_object(const Domain& domain, const Knowledge& knowledge, std::vector<ConfigurationSet> regions) {
+    return conclude_with(domain, knowledge, std::move(regions), true);
+}
+
+Conclusions conclude_by_spaces(const Domain& domain, const Knowledge& knowledge) {
+    return conclude_with(domain, knowledge, told_regions(domain, knowledge), false);
+}
+
+std::optional<std::vector<CompositePart>> certain_composites(const Domain& domain, const Knowledge& knowledge) {
+    std::optional<Assembled> assembled = composites_of(domain, knowledge, told_regions(domain, knowledge));
+    if (!assembled || !assembled->is_certain) return std::nullopt;
+    return std::move(assembled->composites);
 }
 
 std::vector<ConceptId> entailed(const Space& space, const ConfigurationSet& set) {

@@ -230,6 +230,32 @@ struct Excerpt {
     std::vector<std::size_t> places;  ///< of its answers
 };
 
+/// Whether the concept (a contradiction when empty) holds of the object or a part, or of `region` when it is about
+/// that.
+bool is_concluded(const Domain& domain, const Conclusions& conclusions, const Iri& concept_iri, int region) {
+    if (concept_iri.empty()) return conclusions.contradiction;
+    if (region >= 0 && domain.regions.find(concept_iri))
+        return follows(domain.regions, conclusions.regions.at(static_cast<std::size_t>(region)), concept_iri);
+    return is_entailed(domain, conclusions, concept_iri);
+}
+
+/// Whether turning these answers round leaves the concept as it is.
+bool still_holds(const Domain& domain, Knowledge knowledge, const Iri& concept_iri, int region,
+                 const std::vector<std::size_t>& answers) {
+    for (const std::size_t i : answers) knowledge.answers[i].yes = !knowledge.answers[i].yes;
+    return is_concluded(domain, conclude(domain, knowledge), concept_iri, region);
+}
+
+/// The closed world of the mesh, where configuration spaces do not tell why; nullptr where they do. Composite parts are
+/// better explained by spaces, to which they are no given facts, as long as the conclusion is drawn there.
+std::unique_ptr<MeshReasoner> world_of(const Domain& domain, const Knowledge& knowledge, const Iri& concept_iri,
+                                       int region) {
+    if (!needs_mesh_world(domain, knowledge)) return nullptr;
+    if (!domain.grounding->assembly.has_composites()) return std::make_unique<MeshReasoner>(domain, knowledge);
+    if (is_concluded(domain, conclude_by_spaces(domain, knowledge), concept_iri, region)) return nullptr;
+    return std::make_unique<MeshReasoner>(domain, knowledge, *certain_composites(domain, knowledge));
+}
+
 }  // namespace
 
 std::vector<char> defining_axioms(const Theory& theory, int goal, std::size_t axiom_count) {
@@ -244,7 +270,8 @@ std::vector<char> defining_axioms(const Theory& theory, int goal, std::size_t ax
 }
 
 Explanation explain(const Domain& domain, const Knowledge& knowledge, const Iri& concept_iri, int region_asked) {
-    if (needs_mesh_world(domain, knowledge)) return MeshReasoner(domain, knowledge).explain(concept_iri, region_asked);
+    if (auto world = world_of(domain, knowledge, concept_iri, region_asked))
+        return world->explain(concept_iri, region_asked);
     if (is_about_one_region(domain, concept_iri, region_asked)) {
         const Excerpt excerpt(knowledge, region_asked);
         Explanation explanation = one_reason(domain, excerpt.knowledge, concept_iri, 0);
@@ -252,7 +279,7 @@ Explanation explain(const Domain& domain, const Knowledge& knowledge, const Iri&
         return explanation;
     }
     if (prefers_solver(domain, knowledge)) return one_reason(domain, knowledge, concept_iri, region_asked);
-    const Conclusions conclusions = conclude(domain, knowledge);
+    const Conclusions conclusions = conclude_by_spaces(domain, knowledge);
     const Theory& theory = domain.grounding->theory;
     const auto refuse = [&] {
         throw std::invalid_argument("explain: " + (concept_iri.empty() ? std::string("a contradiction") : concept_iri) +
@@ -348,8 +375,8 @@ std::vector<int> culprits(const Domain& domain, const Knowledge& knowledge, cons
 
 Explanations all_explanations(const Domain& domain, const Knowledge& knowledge, const Iri& concept_iri, int region,
                               const ExplanationOptions& options) {
-    if (needs_mesh_world(domain, knowledge))
-        return MeshReasoner(domain, knowledge).explain_all(concept_iri, region, options);
+    if (auto world = world_of(domain, knowledge, concept_iri, region))
+        return world->explain_all(concept_iri, region, options);
     return all_reasons(domain, knowledge, concept_iri, region, options);
 }
 
@@ -358,8 +385,14 @@ std::vector<Correction> corrections(const Domain& domain, const Knowledge& knowl
     if (costs.size() != knowledge.answers.size()) throw std::invalid_argument("corrections: one cost for each answer");
     if (std::ranges::any_of(costs, [](double cost) { return !(cost >= 0); }))
         throw std::invalid_argument("corrections: a cost should not be negative");
-    if (needs_mesh_world(domain, knowledge))
-        return MeshReasoner(domain, knowledge).correct(concept_iri, costs, region, options);
+    if (auto world = world_of(domain, knowledge, concept_iri, region)) {
+        std::vector<Correction> found = world->correct(concept_iri, costs, region, options);
+        if (domain.grounding->assembly.has_composites())  // which may be others after the change
+            std::erase_if(found, [&](const Correction& each) {
+                return still_holds(domain, knowledge, concept_iri, region, each.answers);
+            });
+        return found;
+    }
     if (is_about_one_region(domain, concept_iri, region)) {
         const Excerpt excerpt(knowledge, region);
         std::vector<double> its_costs;
@@ -368,7 +401,8 @@ std::vector<Correction> corrections(const Domain& domain, const Knowledge& knowl
         for (Correction& each : found) each.answers = excerpt.in_all(std::move(each.answers));
         return found;
     }
-    if (prefers_solver(domain, knowledge)) return cheapest_changes(domain, knowledge, concept_iri, costs, region, options);
+    if (prefers_solver(domain, knowledge))
+        return cheapest_changes(domain, knowledge, concept_iri, costs, region, options);
     if (domain.regions.diagram != nullptr) return {};  // sets of a compiled space cannot be tried one by one
     CorrectionSearch search(domain, knowledge, concept_iri, costs, region);
     std::vector<Correction> found = search.run(options.limit);

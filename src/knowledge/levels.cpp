@@ -87,8 +87,35 @@ private:
         } else if (axiom.kind == AxiomKind::equivalent_classes || axiom.kind == AxiomKind::disjoint_union) {
             const Level level = level_of_all(axiom.classes, levels_, ranges_);
             for (const owl::ClassPointer& expression : axiom.classes) grown |= set(expression, level);
+        } else if (axiom.kind == AxiomKind::rule && upwards) {
+            for (const owl::RuleAtom& atom : axiom.rule->head)
+                if (atom.kind == owl::RuleAtom::Kind::of_class)
+                    grown |= set(atom.klass, level_of(atom.arguments[0], *axiom.rule));
         }
         return grown;
+    }
+
+    /// What a rule's body says of a variable.
+    [[nodiscard]] Level level_of(const owl::RuleTerm& term, const owl::Rule& rule) const {
+        Level found = Level::unknown;
+        for (const owl::RuleAtom& atom : rule.body) {
+            if (atom.arguments.empty() || atom.arguments[0].kind != term.kind || atom.arguments[0].iri != term.iri)
+                continue;
+            Level level = Level::unknown;
+            if (atom.kind == owl::RuleAtom::Kind::of_class) {
+                level = level_of(*atom.klass);
+            } else if (atom.kind == owl::RuleAtom::Kind::object_property ||
+                       atom.kind == owl::RuleAtom::Kind::data_property) {  // as "p some …" does
+                owl::ClassExpression some;
+                some.kind = atom.kind == owl::RuleAtom::Kind::object_property ? ClassKind::some_values_from
+                                                                              : ClassKind::data_some_values_from;
+                some.property = atom.property;
+                level = level_of(some);
+            }
+            if (level != Level::unknown && level != Level::whole) return level;
+            if (level == Level::whole) found = level;
+        }
+        return found;
     }
 
     const owl::Ontology& ontology_;

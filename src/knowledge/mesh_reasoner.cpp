@@ -9,6 +9,8 @@
    which nothing is known cost grows with the square of the individuals. */
 
 #include <algorithm>
+#include <map>
+#include <set>
 #include <stdexcept>
 
 #include "knowledge/assembly.h"
@@ -19,12 +21,18 @@ namespace partonomy::knowledge {
 
 struct MeshReasoner::State {
     const Domain& domain;
+    const Knowledge knowledge;
+    const std::vector<CompositePart> composites;
     MeshWorld mesh;
     GroundedWorld grounded;
     std::optional<Solver> solver;
 
-    State(const Domain& given, const Knowledge& knowledge)
-        : domain(given), mesh(make_mesh_world(given, knowledge)), grounded(mesh.world, limits(), questions(mesh)) {}
+    State(const Domain& given, const Knowledge& known, const std::vector<CompositePart>& parts)
+        : domain(given),
+          knowledge(known),
+          composites(parts),
+          mesh(make_mesh_world(given, knowledge, composites)),
+          grounded(mesh.world, limits(), questions(mesh)) {}
 
     static GroundOptions limits() {
         GroundOptions options;
@@ -105,19 +113,22 @@ struct MeshReasoner::State {
         }
     }
 
+    enum class Element { axiom, answer, composite };
+
     /// What explanations and corrections are about: selectors, the goal's negation being required.
     struct Question {
         std::vector<Selector> selectors;
-        std::vector<std::pair<bool, std::size_t>> elements;  ///< (is an answer, index)
+        std::vector<std::pair<Element, std::size_t>> elements;  ///< what, and its index
         Solver solver;
     };
 
     [[nodiscard]] int goal_literal(const Iri& concept_iri, int region) {
         const int id = theory().find(concept_iri);
         if (id < 0) throw std::invalid_argument("explain: " + concept_iri + " is no concept");
-        if (theory().concepts[static_cast<std::size_t>(id)].level != Level::region) return literal(mesh.object, id);
+        const Level level = theory().concepts[static_cast<std::size_t>(id)].level;
+        if (level != Level::region && level != Level::composite) return literal(mesh.object, id);
         if (region >= 0) return literal(mesh.regions.at(static_cast<std::size_t>(region)), id);
-        for (const Iri& each : mesh.regions)
+        for (const Iri& each : level == Level::region ? mesh.regions : mesh.composites)
             if (const int candidate = literal(each, id);
                 everything().solve(std::vector{-candidate}) == Verdict::unsatisfiable)
                 return candidate;
@@ -131,38 +142,85 @@ struct MeshReasoner::State {
         Question question{{}, {}, Solver(grounded.clauses())};
         const std::vector<int>& selectors = grounded.selectors();
         const std::size_t axioms = domain.ontology.axioms.size();
+        std::map<std::size_t, std::size_t> composite_of;  // axioms that tell of one
+        if (!axioms_are_given) composite_of.insert(mesh.told_composites.begin(), mesh.told_composites.end());
+        const auto add = [&](Element element, std::size_t i, std::size_t index, double weight) {
+            question.selectors.push_back({selectors[i], weight});
+            question.elements.emplace_back(element, index);
+        };
         for (std::size_t i = 0; i < selectors.size(); ++i) {
-            const bool is_axiom = i < axioms;
-            const bool is_answer = i >= mesh.first_answer && i < mesh.first_answer + answer_count;
-            if ((is_axiom && !axioms_are_given) || is_answer) {
-                const std::size_t index = is_answer ? i - mesh.first_answer : i;
-                question.selectors.push_back({selectors[i], is_answer && costs ? (*costs)[index] : 1});
-                question.elements.emplace_back(is_answer, index);
-            } else {
+            if (i < axioms && !axioms_are_given)
+                add(Element::axiom, i, i, 1);
+            else if (i >= mesh.first_answer && i < mesh.first_answer + knowledge.answers.size())
+                add(Element::answer, i, i - mesh.first_answer, costs ? (*costs)[i - mesh.first_answer] : 1);
+            else if (const auto found = composite_of.find(i); found != composite_of.end())
+                add(Element::composite, i, found->second, 1);
+            else
                 given.push_back(selectors[i]);
-            }
         }
         question.solver.require(given);
         return question;
     }
 
-    [[nodiscard]] static Explanation explanation(const Question& question, const SelectorSet& set) {
-        Explanation result;
-        result.needs_completeness = true;
+    [[nodiscard]] Explanation explanation(const Question& question, const SelectorSet& set) const {
+        std::set<std::size_t> answers, axioms;
         for (const std::size_t i : set) {
-            const auto [is_answer, index] = question.elements[i];
-            (is_answer ? result.answers : result.axioms).push_back(index);
+            const auto [element, index] = question.elements[i];
+            if (element == Element::composite)
+                add_reasons(composites[index], answers, axioms);
+            else
+                (element == Element::answer ? answers : axioms).insert(index);
         }
-        return result;
+        return {{answers.begin(), answers.end()}, {axioms.begin(), axioms.end()}, true};
     }
 
-    std::size_t answer_count = 0;
+    [[nodiscard]] bool mentions_parts(FormulaId id) const {
+        const Formula& formula = theory().formulas[static_cast<std::size_t>(id)];
+        return formula.kind == Formula::Kind::parts ||
+               std::ranges::any_of(formula.operands, [&](FormulaId operand) { return mentions_parts(operand); });
+    }
+
+    /// Why there is this composite part: what makes each region around it belong to its group or not, and the axioms
+    /// that say what belongs.
+    void add_reasons(const CompositePart& part, std::set<std::size_t>& answers, std::set<std::size_t>& axioms) const {
+        std::set<int> around(part.regions.begin(), part.regions.end());
+        for (const auto& [a, b] : knowledge.connected) {
+            if (std::ranges::binary_search(part.regions, a)) around.insert(b);
+            if (std::ranges::binary_search(part.regions, b)) around.insert(a);
+        }
+        const ConfigurationSet& members = domain.composites[static_cast<std::size_t>(part.group)].regions;
+        for (const int region : around) {
+            std::vector<std::size_t> kept;
+            for (std::size_t i = 0; i < knowledge.answers.size(); ++i)
+                if (knowledge.answers[i].region == region) kept.push_back(i);
+            const auto is_told = [&] {
+                ConfigurationSet set = domain.regions.all();
+                for (const std::size_t i : kept) {
+                    const ConfigurationSet yes = yes_set(domain.regions, knowledge.answers[i].question);
+                    if (knowledge.answers[i].yes)
+                        set &= yes;
+                    else
+                        set -= yes;
+                }
+                return set.is_subset_of(members) || !set.intersects(members);
+            };
+            if (!is_told()) continue;  // made of composite parts itself, each of which has its reasons
+            for (std::size_t k = kept.size(); k-- > 0;) {
+                const std::size_t left_out = kept[k];
+                kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(k));
+                if (!is_told()) kept.insert(kept.begin() + static_cast<std::ptrdiff_t>(k), left_out);
+            }
+            answers.insert(kept.begin(), kept.end());
+        }
+        for (const NamedConcept& named : theory().concepts)
+            if (named.group == part.group && named.definition >= 0 && mentions_parts(named.definition))
+                axioms.insert(named.axiom);
+    }
 };
 
-MeshReasoner::MeshReasoner(const Domain& domain, const Knowledge& knowledge)
-    : state_(std::make_unique<State>(domain, knowledge)) {
-    state_->answer_count = knowledge.answers.size();
-}
+MeshReasoner::MeshReasoner(const Domain& domain, const Knowledge& knowledge,
+                           const std::vector<CompositePart>& composites)
+    : state_(std::make_unique<State>(domain, knowledge, composites)) {}
 
 MeshReasoner::~MeshReasoner() = default;
 
@@ -196,13 +254,24 @@ bool MeshReasoner::narrow(const std::vector<ConfigurationSet>& regions, const Sp
     return !object.is_empty();
 }
 
+void MeshReasoner::narrow(std::vector<CompositePart>& composites) {
+    for (std::size_t i = 0; i < composites.size(); ++i) {
+        std::vector<int> told;
+        std::vector<State::Fact> open;
+        CompositePart& part = composites[i];
+        const Space& space = state_->domain.composites[static_cast<std::size_t>(part.group)].space;
+        State::sort_facts(state_->facts_about(state_->mesh.composites[i], space), part.possible, told, open);
+        State::apply(state_->entailed(told, open), open, part.possible);
+    }
+}
+
 Explanation MeshReasoner::explain(const Iri& concept_iri, int region) {
     State::Question question = state_->ask(concept_iri, region, false, nullptr);
     const std::optional<SelectorSet> set = minimal_conflict(question.solver, question.selectors);
     if (!set)
         throw std::invalid_argument("explain: " + (concept_iri.empty() ? std::string("a contradiction") : concept_iri) +
                                     " does not follow from what is known");
-    return State::explanation(question, *set);
+    return state_->explanation(question, *set);
 }
 
 Explanations MeshReasoner::explain_all(const Iri& concept_iri, int region, const ExplanationOptions& options) {
@@ -210,7 +279,10 @@ Explanations MeshReasoner::explain_all(const Iri& concept_iri, int region, const
     const RankedSets found = all_conflicts(question.solver, question.selectors, options).conflicts;
     Explanations result;
     result.is_complete = found.is_complete;
-    for (const RankedSet& each : found.sets) result.sets.push_back(State::explanation(question, each.set));
+    for (const RankedSet& each : found.sets) {
+        Explanation found_one = state_->explanation(question, each.set);
+        if (std::ranges::find(result.sets, found_one) == result.sets.end()) result.sets.push_back(std::move(found_one));
+    }
     return result;
 }
 

@@ -54,11 +54,14 @@ Iri relation_class(std::size_t index) { return mesh_prefix + std::string("relati
 /// The object and its parts, where the ontology names other things, too.
 Iri mesh_class() { return mesh_prefix + std::string("Mesh"); }
 
+/// The composite parts of one kind of group (groups.h).
+Iri group_class(int group) { return mesh_prefix + std::string("group") + std::to_string(group + 1); }
+
 /// Axioms in the words of a mesh's world.
 class Rewriter {
 public:
     Rewriter(const Domain& domain, const owl::Ontology& plain)
-        : ranges_(domain.ranges), levels_(find_levels(plain, domain.ranges)) {
+        : theory_(domain.grounding->theory), ranges_(domain.ranges), levels_(find_levels(plain, domain.ranges)) {
         for (const Iri& iri : individuals_of(plain)) has_strangers_ |= !levels_.contains(iri);
         for (const MeasuredProperty& number : domain.numbers) numbers_.insert(number.iri);
         for (std::size_t i = 0; i < domain.relational.size(); ++i)
@@ -70,16 +73,20 @@ public:
         auto result = std::make_shared<ClassExpression>(*expression);
         for (ClassPointer& operand : result->operands) operand = (*this)(operand);
         if (is_data(result->kind) && numbers_.contains(result->property.iri)) result->range = doubles(result->range);
+        if (!theory_.groups.empty() && result->property == owl::PropertyExpression{core_term("hasPart"), false})
+            look_at_one_layer(*result, expression);
         return result;
     }
 
     [[nodiscard]] Axiom operator()(Axiom axiom) const {
         const Level level = level_of_axiom(axiom);
         const bool is_implication = axiom.kind == AxiomKind::sub_class_of;
+        const int group = group_of(axiom);
         for (ClassPointer& expression : axiom.classes) {
             const bool is_conclusion = is_implication && &expression != &axiom.classes[0];
             expression = (*this)(expression);
-            if (axiom.kind <= AxiomKind::disjoint_union && !is_conclusion) expression = within(level, expression);
+            if (axiom.kind <= AxiomKind::disjoint_union && !is_conclusion)
+                expression = within(level, group, expression);
         }
         if (axiom.kind == AxiomKind::data_property_range && numbers_.contains(axiom.properties[0].iri))
             axiom.range = doubles(axiom.range);
@@ -91,11 +98,36 @@ public:
     }
 
 private:
+    /// What is a composite part of a kind is one of the groups that the kind speaks of.
+    [[nodiscard]] int group_of(const Axiom& axiom) const {
+        for (const ClassPointer& expression : axiom.classes)
+            if (expression->kind == ClassKind::named)
+                if (const int id = theory_.find(expression->iri);
+                    id >= 0 && theory_.concepts[static_cast<std::size_t>(id)].group >= 0)
+                    return theory_.concepts[static_cast<std::size_t>(id)].group;
+        return -1;
+    }
+
+    /// hasPart leads to regions and to composite parts; a class behind it is about the ones or about the others.
+    void look_at_one_layer(ClassExpression& result, const ClassPointer& as_written) const {
+        if (result.kind == ClassKind::has_value || result.kind == ClassKind::has_self) return;
+        const ClassPointer filler = result.operands.empty() ? owl::thing() : result.operands[0];
+        const ClassPointer told = as_written->operands.empty() ? owl::thing() : as_written->operands[0];
+        const Level level = level_of(*told, levels_, ranges_);
+        const bool is_composite = level == Level::composite || level == Level::whole;
+        const ClassPointer top = owl::named_class(core_term(is_composite ? "CompositePart" : "Region"));
+        const bool is_only = result.kind == ClassKind::all_values_from;
+        result.operands = {owl::combined(is_only ? ClassKind::union_of : ClassKind::intersection_of,
+                                         {is_only ? owl::complement_of(top) : top, filler})};
+    }
+
     /// An axiom about regions is about nothing else, and so is one about objects: "not (hasShape some Board) SubClassOf
     /// …" does not mean the object, though that has no shape; and neither means another object that the ontology names,
     /// of whose parts nothing is known.
-    [[nodiscard]] ClassPointer within(Level level, const ClassPointer& expression) const {
+    [[nodiscard]] ClassPointer within(Level level, int group, const ClassPointer& expression) const {
         if (level <= Level::relation) return expression;
+        if (group >= 0 && expression->kind != ClassKind::named)
+            return owl::combined(ClassKind::intersection_of, {owl::named_class(group_class(group)), expression});
         if (has_strangers_)
             return owl::combined(ClassKind::intersection_of, {owl::named_class(mesh_class()), expression});
         if (expression->kind == ClassKind::named && !is_thing(expression->iri)) return expression;
@@ -162,6 +194,7 @@ private:
         return is_known ? std::optional(result) : std::nullopt;
     }
 
+    const Theory& theory_;
     const std::vector<RangeConcept>& ranges_;
     std::map<Iri, Level> levels_;
     bool has_strangers_ = false;
@@ -173,7 +206,7 @@ class Builder {
 public:
     Builder(const Domain& domain, const Knowledge& knowledge, const std::vector<CompositePart>& composites)
         : domain_(domain),
-          result_{{plain_ontology(domain.ontology), {}}, {}, {}, {}, {}, 0},
+          result_{{plain_ontology(domain.ontology), {}}, {}, {}, {}, {}, 0, {}},
           rewrite_(domain, result_.world.ontology) {
         for (Axiom& axiom : axioms()) axiom = rewrite_(std::move(axiom));
         result_.object = add("object");
@@ -277,18 +310,49 @@ private:
     void tell_parts(const std::vector<CompositePart>& composites) {
         is_a(result_.object, owl::named_class(core_term("Object")));
         for (const Iri& region : result_.regions) is_a(region, owl::named_class(core_term("Region")));
-        for (const Iri& composite : result_.composites) is_a(composite, owl::named_class(core_term("CompositePart")));
         const Iri has_part = core_term("hasPart");
         result_.world.known.push_back({has_part, {}, {}});
         for (const Iri& region : result_.regions) relate(result_.object, has_part, region);
+        const std::vector<Group>& groups = domain_.grounding->theory.groups;
+        tell_groups();
         for (std::size_t i = 0; i < composites.size(); ++i) {
-            relate(result_.object, has_part, result_.composites[i]);
+            const std::size_t first = axioms().size();
+            const Iri& composite = result_.composites[i];
+            is_a(composite, owl::named_class(core_term("CompositePart")));
+            for (int g = 0; g < static_cast<int>(groups.size()); ++g) {
+                const ClassPointer group = owl::named_class(group_class(g));
+                is_a(composite, g == composites[i].group ? group : owl::complement_of(group));
+            }
+            relate(result_.object, has_part, composite);
             for (const int region : composites[i].regions)
-                relate(result_.composites[i], has_part, result_.regions[static_cast<std::size_t>(region)]);
+                relate(composite, has_part, result_.regions[static_cast<std::size_t>(region)]);
             for (std::size_t inner = 0; inner < i; ++inner)
-                if (composites[inner].group < composites[i].group &&
+                if (std::ranges::binary_search(groups[static_cast<std::size_t>(composites[i].group)].inner,
+                                               composites[inner].group) &&
                     std::ranges::includes(composites[i].regions, composites[inner].regions))
-                    relate(result_.composites[i], has_part, result_.composites[inner]);
+                    relate(composite, has_part, result_.composites[inner]);
+            for (std::size_t axiom = first; axiom < axioms().size(); ++axiom)
+                result_.told_composites.emplace_back(axiom, i);
+        }
+    }
+
+    /// A region is no composite part, and a concept of composite parts holds of those of its own groups only.
+    void tell_groups() {
+        const Theory& theory = domain_.grounding->theory;
+        if (theory.groups.empty()) return;
+        Axiom disjoint{};
+        disjoint.kind = AxiomKind::disjoint_classes;
+        for (const char* layer : {"Object", "Region", "CompositePart"})
+            disjoint.classes.push_back(owl::named_class(core_term(layer)));
+        axioms().push_back(std::move(disjoint));
+        for (int g = 0; g < static_cast<int>(theory.groups.size()); ++g)
+            declare(group_class(g), owl::EntityKind::klass);
+        for (const NamedConcept& named : theory.concepts) {
+            if (named.group < 0 || named.open) continue;
+            Axiom axiom{};
+            axiom.kind = AxiomKind::sub_class_of;
+            axiom.classes = {owl::named_class(named.iri), owl::named_class(group_class(named.group))};
+            axioms().push_back(std::move(axiom));
         }
     }
 
@@ -403,8 +467,14 @@ MeshWorld make_mesh_world(const Domain& domain, const Knowledge& knowledge,
     return Builder(domain, knowledge, composites).run();
 }
 
+std::optional<std::vector<CompositePart>> composites_for_world(const Domain& domain, const Knowledge& knowledge) {
+    if (!domain.grounding->assembly.has_composites()) return std::vector<CompositePart>{};
+    return certain_composites(domain, knowledge);
+}
+
 bool needs_mesh_world(const Domain& domain, const Knowledge& knowledge) {
-    return knowledge.complete && domain.grounding->theory.needs_world() && !domain.grounding->assembly.has_composites();
+    return knowledge.complete && domain.grounding->theory.needs_world() &&
+           composites_for_world(domain, knowledge).has_value();
 }
 
 }  // namespace partonomy::knowledge

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include "knowledge/closed_world.h"
 #include "knowledge/explain.h"
@@ -20,6 +22,7 @@ struct MeshWorld {
     /// By concept of the theory (theory.h): an open restriction in the words of this world, null for names.
     std::vector<owl::ClassPointer> open;
     std::size_t first_answer = 0;  ///< Knowledge::answers[i] is the axiom first_answer + i
+    std::vector<std::pair<std::size_t, std::size_t>> told_composites;  ///< (axiom, composite part that it tells of)
 };
 
 /// The closed world of a mesh whose regions are all known (design §5). `composites` are those that there are.
@@ -27,16 +30,22 @@ struct MeshWorld {
 [[nodiscard]] MeshWorld make_mesh_world(const Domain& domain, const Knowledge& knowledge,
                                         const std::vector<CompositePart>& composites = {});
 
+/// The composite parts that a mesh's world is told of: none in an ontology without them; nullopt while it is not
+/// certain which there are.
+[[nodiscard]] std::optional<std::vector<CompositePart>> composites_for_world(const Domain& domain,
+                                                                             const Knowledge& knowledge);
+
 /// Whether conclusions, explanations and corrections need the closed world of the mesh: the ontology says something
-/// that configuration spaces leave open, and all regions are known. Ontologies with composite parts do without: there,
-/// what spaces leave open stays open.
+/// that configuration spaces leave open, and all regions are known. Where it has composite parts, there must be no
+/// doubt which of them there are, too; else what spaces leave open stays open.
 [[nodiscard]] bool needs_mesh_world(const Domain& domain, const Knowledge& knowledge);
 
 /// Answers what the whole ontology says about one mesh, in which all regions are known.
 class MeshReasoner {
 public:
-    /// The domain must outlive it. Throws OntologyError for what cannot be grounded.
-    MeshReasoner(const Domain& domain, const Knowledge& knowledge);
+    /// The domain must outlive it; `composites` are those that there are. Throws OntologyError for what cannot be
+    /// grounded.
+    MeshReasoner(const Domain& domain, const Knowledge& knowledge, const std::vector<CompositePart>& composites = {});
     ~MeshReasoner();
 
     /// Takes away what the closed world rules out of what is possible for the regions; an empty set tells nothing.
@@ -46,7 +55,12 @@ public:
     [[nodiscard]] bool narrow(const std::vector<ConfigurationSet>& regions, const Space& objects,
                               ConfigurationSet& object);
 
-    /// As explain(), all_explanations() and corrections() in explain.h; completeness is always taken as given.
+    /// The same for the composite parts.
+    void narrow(std::vector<CompositePart>& composites);
+
+    /// As explain(), all_explanations() and corrections() in explain.h; completeness is always taken as given. Where an
+    /// explanation speaks of a composite part, the answers that make it one belong to it. Corrections take the
+    /// composite parts as given.
     [[nodiscard]] Explanation explain(const Iri& concept_iri, int region);
     [[nodiscard]] Explanations explain_all(const Iri& concept_iri, int region, const ExplanationOptions& options);
     [[nodiscard]] std::vector<Correction> correct(const Iri& concept_iri, const std::vector<double>& costs, int region,

@@ -135,6 +135,10 @@ public:
     }
 
     [[nodiscard]] const std::set<Counts>& counts() const { return counts_; }
+    /// Whether every way has the same composite parts; false where there is no way.
+    [[nodiscard]] bool is_certain() const {
+        return ways_ > 0 && std::ranges::all_of(found_, [&](const auto& each) { return each.second.ways == ways_; });
+    }
     [[nodiscard]] std::vector<CompositePart> certain() const {
         std::vector<CompositePart> parts;
         for (const auto& [key, found] : found_) {
@@ -289,6 +293,7 @@ std::optional<Assembled> put_together(const Theory& theory, const Assembly& asse
         Cluster cluster(theory, assembly, contributions, set, connected);
         cluster.try_all(choices);
         combine(cluster.counts());
+        result.is_certain &= cluster.is_certain();
         for (CompositePart& part : cluster.certain()) result.composites.push_back(std::move(part));
     }
     std::ranges::sort(result.composites, {},

@@ -148,8 +148,12 @@ void TurtleWriter::write(const Axiom& axiom) {
         case AxiomKind::equivalent_object_properties:
         case AxiomKind::equivalent_data_properties:
             return chain(axiom.properties, "owl:equivalentProperty", axiom);
-        case AxiomKind::inverse_object_properties:
-            return say(property(0), "owl:inverseOf", property(1));
+        case AxiomKind::inverse_object_properties: {  // a node with two of them would be two inverses
+            PropertyExpression left = axiom.properties.at(0), right = axiom.properties.at(1);
+            if (left.inverse && right.inverse) left.inverse = right.inverse = false;
+            if (left.inverse) std::swap(left, right);
+            return say(show(left), "owl:inverseOf", show(right));
+        }
         case AxiomKind::disjoint_object_properties:
         case AxiomKind::disjoint_data_properties:
             return pairwise(axiom.properties, "owl:propertyDisjointWith", "owl:AllDisjointProperties", axiom);

@@ -7,6 +7,7 @@
 #include "brute.h"
 #include "knowledge/explain.h"
 #include "knowledge/lint.h"
+#include "knowledge/mesh_world.h"
 #include "mini.h"
 
 // The second opinion on composite parts: every choice of features for every region is tried, its groups are built by
@@ -309,6 +310,48 @@ TEST(CompositesRandom, ConclusionsAreWhatEveryChoiceShares) {
         composites += ours.size();
     }
     EXPECT_GT(composites, 300U);
+}
+
+/// Where it is certain which composite parts there are, the closed world of the mesh says of them what spaces say.
+TEST(CompositesRandom, TheClosedWorldSaysTheSame) {
+    std::size_t worlds = 0, composites = 0;
+    for (unsigned seed = 3000; seed < 3150; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        const Random ontology(seed);
+        const Domain domain = compile(ontology.ontology.result);
+        std::mt19937 random(seed + 100000);
+        Knowledge knowledge;
+        knowledge.region_count = 1 + static_cast<int>(random() % 4);
+        knowledge.complete = true;
+        for (int a = 0; a < knowledge.region_count; ++a) {
+            for (int b = 0; b < a; ++b)
+                if (random() % 2 == 0) knowledge.connected.emplace_back(b, a);
+            if (random() % 8 != 0)
+                knowledge.answers.push_back({a, {0, static_cast<int>(random() % 3)}, random() % 4 != 0});
+        }
+        const Conclusions spaces = conclude(domain, knowledge);
+        const auto certain = composites_for_world(domain, knowledge);
+        if (!certain) continue;
+        const MeshWorld mesh = make_mesh_world(domain, knowledge, *certain);
+        ClosedReasoner reasoner(mesh.world);
+        ++worlds;
+        ASSERT_EQ(reasoner.is_consistent(), !spaces.contradiction);
+        if (spaces.contradiction) continue;
+        const auto compare = [&](const Iri& individual, const Space& space, const ConfigurationSet& set) {
+            for (const Concept& each : space.concepts)
+                EXPECT_EQ(std::ranges::binary_search(reasoner.types(individual), each.iri),
+                          set.is_subset_of(each.where))
+                    << each.iri << " of " << individual;
+        };
+        compare(mesh.object, *spaces.objects, spaces.object);
+        ASSERT_EQ(spaces.composites.size(), certain->size());
+        for (std::size_t i = 0; i < certain->size(); ++i)
+            compare(mesh.composites[i], domain.composites[static_cast<std::size_t>((*certain)[i].group)].space,
+                    spaces.composites[i].possible);
+        composites += certain->size();
+    }
+    EXPECT_GT(worlds, 70U);
+    EXPECT_GT(composites, 60U);
 }
 
 TEST(CompositesRandom, SpacesHoldEveryObject) {
