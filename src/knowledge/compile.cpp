@@ -126,6 +126,7 @@ bool allows_simple_objects(const Grounding& grounding) {
                              [](const Constraint& constraint) { return constraint.level == Level::object; }))
         return true;
     const Parts& parts = grounding.assembly.parts;
+    if (!parts.fits) return false;
     std::vector<Counts> counts{0};
     if (!grounding.assembly.has_composites()) {
         counts = with_one_more(parts, counts, types_within(parts, grounding.regions));
@@ -203,8 +204,16 @@ const Grounding::Listing& Grounding::objects() const {
         placed_in(file, [&] {
             const std::size_t limit = options.configuration_limit;
             Listing made;
-            made.layer = build_objects(theory, scope, {}, assembly.parts,
-                                       possible_counts(theory, assembly, regions, false, limit), limit);
+            try {
+                if (!assembly.parts.fits) throw OntologyError(too_many_classes(assembly.parts));
+                made.layer = build_objects(theory, scope, {}, assembly.parts,
+                                           possible_counts(theory, assembly, regions, false, limit), limit);
+            } catch (const OntologyError& limit_reached) {
+                if (assembly.has_composites()) throw;
+                made.space = objects_by_solver(theory, scope, assembly.parts, {}, false, limit_reached.what());
+                listing_ = std::move(made);
+                return;
+            }
             finish_space(theory, scope, {}, made.layer.layer, made.space);
             if (possible_regions != regions || assembly.has_composites())
                 made.space.possible &= made.layer.of(possible_counts(theory, assembly, possible_regions, true, limit));

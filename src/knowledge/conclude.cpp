@@ -34,6 +34,33 @@ std::shared_ptr<const Space> objects_with(const Grounding& grounding, std::vecto
     return space;
 }
 
+/// What regions in these sets make up, and any others unless all are known; where that cannot be counted, as a solver
+/// tells.
+std::shared_ptr<const Space> objects_of(const Grounding& grounding, const Knowledge& knowledge,
+                                        const std::vector<ConfigurationSet>& regions) {
+    const Parts& parts = grounding.assembly.parts;
+    const auto counts_within = [&](const std::vector<ConfigurationSet>& sets, const ConfigurationSet& others) {
+        std::vector<Counts> counts = reachable_counts(parts, sets);
+        return knowledge.complete
+                   ? counts
+                   : with_any_more(parts, counts, types_within(parts, others), grounding.options.configuration_limit);
+    };
+    try {
+        if (!parts.fits) throw OntologyError(too_many_classes(parts));
+        std::optional<std::vector<Counts>> possible;
+        if (grounding.possible_regions != grounding.regions) {
+            std::vector<ConfigurationSet> sets = regions;
+            bool is_any = true;
+            for (ConfigurationSet& set : sets) is_any &= !(set &= grounding.possible_regions).is_empty();
+            possible = is_any ? counts_within(sets, grounding.possible_regions) : std::vector<Counts>{};
+        }
+        return objects_with(grounding, counts_within(regions, grounding.regions), possible);
+    } catch (const OntologyError& limit_reached) {
+        return std::make_shared<const Space>(
+            objects_by_solver(grounding.theory, grounding.scope, parts, regions, knowledge.complete, limit_reached.what()));
+    }
+}
+
 /// Null where configuration spaces say all, where a region contradicts itself, and where the mesh is too large, which
 /// `left_aside` says then.
 std::unique_ptr<MeshReasoner> reasoner_for(const Domain& domain, const Knowledge& knowledge,
@@ -109,20 +136,7 @@ Conclusions conclude_with(const Domain& domain, const Knowledge& knowledge, std:
                                                                           !knowledge.complete));
         if (assembled) conclusions.composites = std::move(assembled->composites);
     } else {
-        const auto counts_within = [&](const std::vector<ConfigurationSet>& sets, const ConfigurationSet& others) {
-            std::vector<Counts> counts = reachable_counts(parts, sets);
-            return knowledge.complete ? counts
-                                      : with_any_more(parts, counts, types_within(parts, others),
-                                                      grounding.options.configuration_limit);
-        };
-        std::optional<std::vector<Counts>> possible;
-        if (grounding.possible_regions != grounding.regions) {
-            std::vector<ConfigurationSet> sets = conclusions.regions;
-            bool is_any = true;
-            for (ConfigurationSet& set : sets) is_any &= !(set &= grounding.possible_regions).is_empty();
-            possible = is_any ? counts_within(sets, grounding.possible_regions) : std::vector<Counts>{};
-        }
-        conclusions.objects = objects_with(grounding, counts_within(conclusions.regions, grounding.regions), possible);
+        conclusions.objects = objects_of(grounding, knowledge, conclusions.regions);
         conclusions.object = conclusions.objects->all();
     }
     if (reasoner && !is_contradicted)

@@ -265,9 +265,10 @@ Count counted(bool has_model) {
 Diagram::Diagram(const Clauses& clauses, const DiagramOptions& options)
     : nodes_(search_diagram(clauses, decision_order(clauses), options)) {}
 
-Diagram Diagram::sampled(const Clauses& clauses, std::string why) {
+Diagram Diagram::sampled(const Clauses& clauses, std::string why, int variables) {
     Diagram diagram;
-    diagram.sample_ = std::make_shared<const SampledModels>(clauses, std::move(why));
+    diagram.sample_ = std::make_shared<const SampledModels>(clauses, std::move(why),
+                                                            variables > 0 ? variables : clauses.variable_count());
     return diagram;
 }
 

@@ -63,8 +63,9 @@ class Diagram {
 public:
     /// Throws OntologyError when one of the limits is reached.
     explicit Diagram(const Clauses& clauses, const DiagramOptions& options = {});
-    /// One that is sampled; `why` says why.
-    [[nodiscard]] static Diagram sampled(const Clauses& clauses, std::string why);
+    /// One that is sampled; `why` says why. Of the first `variables` of the formula, which the others help to say; 0:
+    /// of all.
+    [[nodiscard]] static Diagram sampled(const Clauses& clauses, std::string why, int variables = 0);
     /// Null unless it is sampled.
     [[nodiscard]] const SampledModels* sample() const { return sample_.get(); }
 

@@ -280,6 +280,7 @@ Explanation explain(const Domain& domain, const Knowledge& knowledge, const Iri&
     }
     if (prefers_solver(domain, knowledge)) return one_reason(domain, knowledge, concept_iri, region_asked);
     const Conclusions conclusions = conclude_by_spaces(domain, knowledge);
+    if (conclusions.objects->diagram) return one_reason(domain, knowledge, concept_iri, region_asked);
     const Theory& theory = domain.grounding->theory;
     const auto refuse = [&] {
         throw std::invalid_argument("explain: " + (concept_iri.empty() ? std::string("a contradiction") : concept_iri) +
@@ -402,6 +403,8 @@ std::vector<Correction> corrections(const Domain& domain, const Knowledge& knowl
         return found;
     }
     if (prefers_solver(domain, knowledge))
+        return cheapest_changes(domain, knowledge, concept_iri, costs, region, options);
+    if (conclude_by_spaces(domain, knowledge).objects->diagram)
         return cheapest_changes(domain, knowledge, concept_iri, costs, region, options);
     if (domain.regions.diagram != nullptr) return {};  // sets of a compiled space cannot be tried one by one
     CorrectionSearch search(domain, knowledge, concept_iri, costs, region);

@@ -75,7 +75,24 @@ private:
     std::vector<Field> fields_;
 };
 
+constexpr std::size_t most_types = 20'000;  // where a solver has to do without counts
+
 }  // namespace
+
+std::string too_many_classes(const Parts& parts) {
+    return "the concepts of one layer count " + std::to_string(parts.classes.size()) +
+           " classes of parts, more than can be combined; count fewer classes, or to lower numbers";
+}
+
+Variable part_variable(const Parts::Atom& atom, bool of_composites) {
+    Variable variable{};
+    variable.kind = VariableKind::parts;
+    variable.values = {"yes", "no"};
+    variable.part_class = atom.as_written;
+    variable.threshold = atom.threshold;
+    variable.of_composites = of_composites;
+    return variable;
+}
 
 Counts Parts::add(Counts counts, const Type& type) const {
     for (const std::size_t c : type.classes) {
@@ -157,9 +174,9 @@ Parts find_parts(const Theory& theory, const Scope& scope, Subject subject, cons
         part.shift = shift;
         shift += static_cast<unsigned>(std::bit_width(part.cap));
     }
-    if (shift > 64)
-        throw OntologyError("the concepts of one layer count " + std::to_string(parts.classes.size()) +
-                            " classes of parts, more than can be combined; count fewer classes, or to lower numbers");
+    parts.fits = shift <= 64;
+    if (!parts.fits && (subject.level != Level::object || !groups.empty()))
+        throw OntologyError(too_many_classes(parts));
 
     parts.types.push_back({{}, regions.space.all()});
     for (std::size_t c = 0; c < parts.classes.size(); ++c) {
@@ -173,6 +190,7 @@ Parts find_parts(const Theory& theory, const Scope& scope, Subject subject, cons
             if (!inside.where.is_empty()) finer.push_back(std::move(inside));
         }
         parts.types = std::move(finer);
+        if (!parts.fits && parts.types.size() > most_types) throw OntologyError(too_many_classes(parts));
     }
     std::erase_if(parts.types, [](const Parts::Type& type) { return type.where.is_empty(); });
     return parts;
@@ -279,13 +297,7 @@ ObjectLayer build_objects(const Theory& theory, const Scope& scope, Subject subj
     Space& space = layer.space;
     layer.atoms = parts.atom_of;
     for (const Parts::Atom& atom : parts.atoms) {
-        Variable variable{};
-        variable.kind = VariableKind::parts;
-        variable.values = {"yes", "no"};
-        variable.part_class = atom.as_written;
-        variable.threshold = atom.threshold;
-        variable.of_composites = !parts.classes[atom.part].composites.empty();
-        space.variables.push_back(std::move(variable));
+        space.variables.push_back(part_variable(atom, !parts.classes[atom.part].composites.empty()));
     }
     const std::size_t primitives = add_primitives(theory, scope, subject, layer);
     const std::size_t copies = primitives < 63 ? std::size_t{1} << primitives : std::numeric_limits<std::size_t>::max();

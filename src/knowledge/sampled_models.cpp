@@ -75,23 +75,25 @@ std::size_t ModelSample::count(int literal, int other) const {
 struct SampledModels::State {
     Clauses clauses;
     std::string why;
+    int variables;
     std::vector<int> literals;  ///< both of every variable
     ModelSample sample;
     std::mutex mutex;  ///< of the solver
     Solver solver;
 
-    State(const Clauses& formula, std::string reason) : clauses(formula), why(std::move(reason)), solver(formula) {
-        for (int v = 1; v <= clauses.variable_count(); ++v) literals.insert(literals.end(), {v, -v});
+    State(const Clauses& formula, std::string reason, int told)
+        : clauses(formula), why(std::move(reason)), variables(told), solver(formula) {
+        for (int v = 1; v <= variables; ++v) literals.insert(literals.end(), {v, -v});
         Solver own(clauses);
-        sample = draw(own, clauses.variable_count(), sample_size, {});
+        sample = draw(own, variables, sample_size, {});
     }
 };
 
-SampledModels::SampledModels(const Clauses& clauses, std::string why)
-    : state_(std::make_unique<State>(clauses, std::move(why))) {}
+SampledModels::SampledModels(const Clauses& clauses, std::string why, int variables)
+    : state_(std::make_unique<State>(clauses, std::move(why), variables)) {}
 SampledModels::~SampledModels() = default;
 
-int SampledModels::variable_count() const { return state_->clauses.variable_count(); }
+int SampledModels::variable_count() const { return state_->variables; }
 std::size_t SampledModels::clause_count() const { return state_->clauses.size(); }
 const std::string& SampledModels::why() const { return state_->why; }
 

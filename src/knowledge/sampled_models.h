@@ -22,7 +22,8 @@ struct ModelSample {
 /// and evidence give the same answers, whatever was asked before.
 class SampledModels {
 public:
-    SampledModels(const Clauses& clauses, std::string why);
+    /// Of the first `variables` of the formula; the others only help to say it.
+    SampledModels(const Clauses& clauses, std::string why, int variables);
     ~SampledModels();
 
     [[nodiscard]] int variable_count() const;

@@ -207,6 +207,7 @@ struct Parts {
     std::vector<Atom> atoms;
     std::vector<int> atom_of;  ///< by formula; -1: cannot hold, or out of scope
     std::vector<Type> types;
+    bool fits = true;  ///< Counts holds the counts of all classes; otherwise nothing below works
 
     [[nodiscard]] Counts add(Counts counts, const Type& type) const;
     /// All parts of both.
@@ -216,6 +217,10 @@ struct Parts {
 /// The classes that `subject` counts. `groups`: the layers of the composite parts that there are so far, by group.
 [[nodiscard]] Parts find_parts(const Theory& theory, const Scope& scope, Subject subject, const Layer& regions,
                                std::span<const Layer* const> groups = {});
+
+[[nodiscard]] std::string too_many_classes(const Parts& parts);
+/// The yes/no variable of an atom.
+[[nodiscard]] Variable part_variable(const Parts::Atom& atom, bool of_composites);
 
 /// Types that meet `regions`.
 [[nodiscard]] std::vector<std::size_t> types_within(const Parts& parts, const ConfigurationSet& regions);
@@ -229,6 +234,12 @@ struct Parts {
 /// The counts of an object that consists of `regions`, each known to lie in its set. An empty set (a contradiction)
 /// tells nothing about its region. Ascending.
 [[nodiscard]] std::vector<Counts> reachable_counts(const Parts& parts, const std::vector<ConfigurationSet>& regions);
+
+/// What an object can be that consists of `regions`, each known to lie in its set, and of any further parts unless
+/// `complete`; without counting, as a solver tells (Diagram::sampled). `why` nothing is counted. For ontologies without
+/// composite parts. Throws OntologyError when even that would take too much.
+[[nodiscard]] Space objects_by_solver(const Theory& theory, const Scope& scope, const Parts& parts,
+                                      const std::vector<ConfigurationSet>& regions, bool complete, std::string why);
 
 struct ObjectLayer {
     Layer layer;

@@ -84,12 +84,12 @@ TEST(MeshesOfPaper, HermitAgrees) {
     if (!hermit::is_there()) GTEST_SKIP() << "no HermiT: run ./dev setup";
     std::vector<Told> told;
     std::vector<std::string> texts;
-    // All but the curved bench: with its 22 parts a single question takes HermiT longer than it is given.
-    for (const char* name : {"bench", "bench2", "chair", "chair2", "couch", "strange-object2"}) {
+    // Those that take it two seconds each; the curved bench, with its 22 parts, would take minutes.
+    for (const char* name : {"bench", "chair", "couch"}) {
         told.push_back(told_of(name));
         texts.push_back(owl::write_functional(without_domain_closure(told.back().mesh.world), {.merge_imports = true}));
     }
-    const std::vector<std::string> lines = hermit::judge(texts, "object part https://w3id.org/partonomy/furniture#");
+    const std::vector<std::string> lines = hermit::judge(texts, "object part https://w3id.org/partonomy/furniture#", 300);
     for (std::size_t i = 0; i < lines.size(); ++i) {
         std::istringstream words(lines[i]);
         std::string verdict;

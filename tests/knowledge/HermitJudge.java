@@ -58,7 +58,7 @@ public class HermitJudge {
         OWLDataFactory make = manager.getOWLDataFactory();
         OWLOntology ontology = manager.loadOntologyFromOntologyDocument(new StringDocumentSource(text));
         Configuration configuration = new Configuration();
-        configuration.individualTaskTimeout = 10000;
+        configuration.individualTaskTimeout = Integer.getInteger("milliseconds", 10000);
         Reasoner reasoner = new Reasoner(configuration, ontology);
         try {
             if (!reasoner.isConsistent()) return "inconsistent";

@@ -27,14 +27,15 @@ inline std::filesystem::path jar() {
 
 inline bool is_there() { return !jar().empty() && std::system("java -version > /dev/null 2>&1") == 0; }
 
-/// One line of HermitJudge for each ontology; `arguments` are its own.
-inline std::vector<std::string> judge(const std::vector<std::string>& ontologies, const std::string& arguments = {}) {
+/// One line of HermitJudge for each ontology; `arguments` are its own. `seconds`: for one question.
+inline std::vector<std::string> judge(const std::vector<std::string>& ontologies, const std::string& arguments = {},
+                                      int seconds = 10) {
     const auto folder = std::filesystem::temp_directory_path() / ("partonomy-hermit-" + std::to_string(::getpid()));
     std::filesystem::create_directories(folder);
     std::string text;
     for (const std::string& ontology : ontologies) text += ontology + "%%%%\n";
     partonomy::write_file(folder / "in", text);
-    const std::string command = "java -XX:+UseSerialGC -cp '" + jar().string() +
+    const std::string command = "java -XX:+UseSerialGC -Dmilliseconds=" + std::to_string(seconds * 1000) + " -cp '" + jar().string() +
                                 "' " PARTONOMY_SOURCE_DIR "/tests/knowledge/HermitJudge.java " + arguments + " < " +
                                 (folder / "in").string() + " > " + (folder / "out").string() + " 2> " +
                                 (folder / "err").string();
