@@ -4,6 +4,7 @@
 #include "knowledge/assembly.h"
 #include "knowledge/causes.h"
 #include "knowledge/mesh_world.h"
+#include "knowledge/plain.h"
 
 // The road from an ontology to its configuration spaces: levels and formulas (theory.cpp), the space of one region
 // (region_space.cpp), what composite parts there are and what objects count (assembly.cpp); then what the expert should
@@ -139,12 +140,15 @@ bool allows_simple_objects(const Grounding& grounding) {
 }
 
 /// What a user of one layer should know, in the expert's words; lint.h tells an expert more.
-void lint(const Theory& theory, const Space& space, const std::string& what, std::vector<std::string>& warnings) {
+void lint(const owl::Ontology& ontology, const Theory& theory, const Space& space, const std::string& what,
+          std::vector<std::string>& warnings) {
     for (const Concept& each : space.concepts) {
         const std::string name = owl::local_name(each.iri);
         const bool defined = theory.concepts[theory.find(each.iri)].definition >= 0;
         if (each.where.is_empty())
             warnings.push_back("No " + what + " can be " + with_article(name) + ": its axioms contradict each other.");
+        else if (is_told_by_rule(ontology, each.iri))
+            continue;
         else if (!each.provable && !defined)
             warnings.push_back(name + " has only necessary conditions, so no " + what + " can ever be proved to be " +
                                with_article(name) + "; did you mean EquivalentTo?");
@@ -171,12 +175,12 @@ void finish_composites(const Grounding& grounding, Domain& domain) {
 }
 
 /// Concepts that say what they consist of in their own space; the others once, for all spaces together.
-void lint_composites(const Theory& theory, Domain& domain) {
+void lint_composites(const owl::Ontology& ontology, const Theory& theory, Domain& domain) {
     for (const CompositeSpace& composite : domain.composites) {
         Space own = composite.space;
         std::erase_if(own.concepts,
                       [&](const Concept& each) { return theory.concepts[theory.find(each.iri)].group < 0; });
-        lint(theory, own, "composite part", domain.warnings);
+        lint(ontology, theory, own, "composite part", domain.warnings);
     }
     const auto is_unsatisfiable = [&](const Iri& iri) {
         return std::ranges::all_of(domain.composites, [&](const CompositeSpace& composite) {
@@ -227,7 +231,7 @@ const Space& Domain::objects() const { return grounding->objects().space; }
 
 std::vector<std::string> Domain::object_warnings() const {
     std::vector<std::string> found;
-    lint(grounding->theory, objects(), "object", found);
+    lint(ontology, grounding->theory, objects(), "object", found);
     return found;
 }
 
@@ -285,8 +289,8 @@ Domain compile(owl::Ontology ontology, const CompileOptions& options) {
         if (range.values.empty())
             domain.warnings.push_back(owl::local_name(range.iri) + " has no values; put classes below it.");
     if (const std::string why = why_not_counted(domain.regions); !why.empty()) domain.warnings.push_back(why + ".");
-    lint(theory, domain.regions, "region", domain.warnings);
-    lint_composites(theory, domain);
+    lint(ontology, theory, domain.regions, "region", domain.warnings);
+    lint_composites(ontology, theory, domain);
     domain.ontology = std::move(ontology);
     domain.grounding = std::move(grounding);
     if (domain.grounding->theory.needs_world()) MeshReasoner(domain, {1, true, {}, {}});  // refused now, not later

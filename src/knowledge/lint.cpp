@@ -109,12 +109,14 @@ private:
                 if (explained_++ < options_.explained)
                     finding.causes = causes_of_unsatisfiable(theory_, theory_.find(each.iri), options_.causes);
             } else if (!each.provable && named.definition < 0) {
+                if (is_told_by_rule(domain_.ontology, each.iri)) continue;
                 add(FindingKind::unprovable, true, {each.iri}, place_of(each.iri),
                     name + " has only necessary conditions, so no " + what + " can ever be proved to be " +
                         with_article(name),
                     "did you mean EquivalentTo?");
             } else if (!each.provable) {
                 const std::vector<std::string> open = concepts_without_definition(named.definition);
+                if (open.empty() && !theory_.beyond.empty()) continue;  // rules may tell it
                 add(FindingKind::unprovable, true, {each.iri}, place_of(each.iri),
                     "no " + what + " can ever be proved to be " + with_article(name) +
                         ", because its definition rests on " + (open.empty() ? "concepts" : list_of(open)) +
@@ -136,7 +138,8 @@ private:
             const NamedConcept& named = theory_.concepts[formula.index];
             if (named.definition >= 0)
                 self(self, named.definition);
-            else if (!named.open && std::ranges::find(found, named.iri) == found.end())
+            else if (!named.open && std::ranges::find(found, named.iri) == found.end() &&
+                     !is_told_by_rule(domain_.ontology, named.iri))
                 found.push_back(named.iri);
         };
         visit(visit, from);

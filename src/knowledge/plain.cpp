@@ -229,6 +229,15 @@ std::vector<std::pair<Iri, Iri>> value_individuals(const owl::Ontology& ontology
     return {values.begin(), values.end()};
 }
 
+bool is_told_by_rule(const owl::Ontology& ontology, const Iri& iri) {
+    return std::ranges::any_of(ontology.axioms, [&](const Axiom& axiom) {
+        return axiom.kind == AxiomKind::rule && std::ranges::any_of(axiom.rule->head, [&](const owl::RuleAtom& atom) {
+                   return atom.kind == owl::RuleAtom::Kind::of_class && atom.klass->kind == ClassKind::named &&
+                          atom.klass->iri == iri;
+               });
+    });
+}
+
 owl::Ontology plain_ontology(const owl::Ontology& ontology) {
     const Plainer plainer(ontology);
     const std::set<Iri> unused = unused_features(ontology);

@@ -30,4 +30,7 @@ namespace partonomy::knowledge {
 [[nodiscard]] std::optional<std::pair<owl::ClassPointer, owl::ClassPointer>> roll_up(
     const owl::Rule& rule, const std::function<bool(const owl::Iri&)>& is_measured);
 
+/// Whether a rule concludes that something is a member of the class.
+[[nodiscard]] bool is_told_by_rule(const owl::Ontology& ontology, const owl::Iri& iri);
+
 }  // namespace partonomy::knowledge

@@ -9,6 +9,7 @@
 #include "base/errors.h"
 #include "brute.h"
 #include "hermit.h"
+#include "knowledge/lint.h"
 #include "owl/write.h"
 
 using namespace partonomy;
@@ -332,6 +333,8 @@ TEST(MeshWorld, RulesSayWhatADiagnosisIsAbout) {
         "Variable(:b)) ClassAtom(:Leg Variable(:a)) ClassAtom(:Leg Variable(:b)) DifferentIndividualsAtom(Variable(:a) "
         "Variable(:b))) Head(ClassAtom(:A Variable(:t))))");
     EXPECT_EQ(mesh.classes(), "A Table");
+    for (const Finding& each : lint(mesh.domain)) EXPECT_NE(each.kind, FindingKind::unprovable) << each.what;
+    EXPECT_TRUE(mesh.domain.object_warnings().empty());
 }
 
 TEST(MeshWorld, WhatIsExportedReadsBack) {
