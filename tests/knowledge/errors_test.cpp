@@ -132,6 +132,9 @@ TEST(Errors, LimitsAndNoObjects) {
     for (unsigned i = 0; i < 12; ++i)
         parts.same(std::string(1, static_cast<char>('a' + i)),
                    at_least(5 + i, some("hasShape", i % 2 == 1 ? "Board" : "Cube")));
+    EXPECT_EQ(error_of(parts.result, 100), "no error") << "a solver goes on";
+    parts.same("Frame", both({name("CompositePart"), some("hasPart", some("hasShape", "Board"))}))
+        .same("Framed", both({name("Object"), some("hasPart", "Frame")}));
     EXPECT_NE(error_of(parts.result, 100).find("more than 100 ways"), std::string::npos) << error_of(parts.result, 100);
 }
 
