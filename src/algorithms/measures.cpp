@@ -10,10 +10,13 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "algorithms/appearance.h"
 #include "algorithms/form.h"
 #include "base/errors.h"
+#include "shape/corners.h"
+#include "shape/oriented_box.h"
 
 namespace partonomy {
 namespace {
@@ -30,6 +33,22 @@ double end_height(const Object& object, const RegionMeasurements& region) {
     const double above_ground = (region.low - object.low) / height;
     const double below_top = (object.high - region.high) / height;
     return above_ground <= below_top ? above_ground : 1 - below_top;
+}
+
+/// The longest side of the smallest box around the whole object, in file units: the same however it stands.
+double object_length(const Object& object) {
+    if (!object.length) {
+        std::vector<std::int32_t> all(object.mesh.triangles.size());
+        std::iota(all.begin(), all.end(), 0);
+        std::vector<Vec3> points;
+        for (const std::int32_t v : corners_of(object.mesh, all)) points.push_back(object.mesh.positions[v]);
+        object.length = smallest_box(points).lengths[0];
+    }
+    return *object.length;
+}
+
+double object_area(const Object& object) {
+    return std::accumulate(object.geometry.areas.begin(), object.geometry.areas.end(), 0.0);
 }
 
 std::vector<Measure> built_in_measures() {
@@ -78,6 +97,11 @@ std::vector<Measure> built_in_measures() {
         {"foot height", "1", "height of the region's lowest point, 0 ground to 1 top of the object", false,
          Effort::on_demand,
          [](const Object& o, const RegionMeasurements& r) { return ratio(r.low - o.low, o.high - o.low); }},
+        {"length share", "1", "longest length over that of the whole object, however it stands", false,
+         Effort::on_demand,
+         [](const Object& o, const RegionMeasurements& r) { return ratio(r.lengths[0], object_length(o)); }},
+        {"area share", "1", "area of the region's surface over that of the whole object", false, Effort::on_demand,
+         [](const Object& o, const RegionMeasurements& r) { return ratio(r.area, object_area(o)); }},
         {"l0", "m", "another name of length, for combinations", true, Effort::on_demand,
          [](const Object& o, const RegionMeasurements& r) { return metres(o, r.lengths[0]); }},
         {"l1", "m", "another name of width", true, Effort::on_demand,

@@ -57,6 +57,7 @@ struct Object {
     bool is_noisy = false;                ///< whether finding them met noise: boxes end at walls, not at points
     StageTimes times;                     ///< of finding them
     std::shared_ptr<const RayTree> tree;  ///< of the mesh
+    mutable std::optional<double> length;  ///< of the smallest box around all of it, once a question needed it
     mutable std::shared_ptr<const CalmSurface> calm;  ///< once a question needed it: calm_surface
     std::shared_ptr<const Appearance> appearance;     ///< null: no colours, or nothing asks for them; see paint
 };

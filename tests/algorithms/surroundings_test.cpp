@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+#include <random>
+
 #include "algorithms/measures.h"
 
 namespace partonomy {
@@ -52,6 +55,37 @@ TEST(Surroundings, OfTwoBoards) {
         EXPECT_NEAR(find_measure("footprint share")->value(object, region), 2 / object.footprint, 1e-9);
     }
     EXPECT_EQ(boards, 2);
+}
+
+/// A long stick with a block on its end, as it stands and turned in any way.
+TEST(Surroundings, SharesOfTheObjectAreTheSameHoweverItLies) {
+    TriangleMesh mesh;
+    add_box(mesh, {0, 0, 0}, {0.1, 0.1, 2});
+    add_box(mesh, {-0.2, -0.1, 2.01}, {0.3, 0.2, 2.31});
+    mesh.positions.push_back({90, 90, 90});  // an unused vertex is no part of the object
+    mesh.input_face_count = static_cast<std::int32_t>(mesh.triangles.size());
+    for (std::int32_t t = 0; t < mesh.input_face_count; ++t) mesh.input_faces.push_back(t);
+    const double stick = 2 * 0.01 + 4 * 0.2, block = 2 * (0.5 * 0.3 + 0.5 * 0.3 + 0.3 * 0.3), whole = stick + block;
+    double length = 0;  // of the whole, turned or not
+    std::mt19937 random(3);
+    std::normal_distribution<double> normal;
+    for (int round = 0; round < 4; ++round) {
+        SCOPED_TRACE("seed 3, round " + std::to_string(round));
+        const Object object = make_object(mesh, {});
+        ASSERT_EQ(object.candidates.size(), 2U);
+        for (const PartRegion& part : object.candidates) {
+            const RegionMeasurements region = measure_region(object, part);
+            const bool is_stick = region.lengths[0] > 1;
+            EXPECT_NEAR(find_measure("area share")->value(object, region), (is_stick ? stick : block) / whole, 1e-6);
+            const double share = find_measure("length share")->value(object, region);
+            if (length == 0) length = region.lengths[0] / share;
+            EXPECT_NEAR(share, region.lengths[0] / length, 1e-6);
+            EXPECT_NEAR(share, is_stick ? 2 / 2.31 : 0.5 / 2.31, 0.02);
+        }
+        const Eigen::Quaterniond turn =
+            Eigen::Quaterniond(normal(random), normal(random), normal(random), normal(random)).normalized();
+        for (Vec3& point : mesh.positions) point = turn * point;
+    }
 }
 
 }  // namespace
