@@ -114,5 +114,33 @@ INSTANTIATE_TEST_SUITE_P(
                       {Vec3(0, 0.44, 0.65), Vec3(1.4, 0.47, 0.8)}})}),
     [](const auto& kind) { return std::string(kind.param.name); });
 
+/// A chair whose back is `back` between two posts; the names of the parts of the back, as they come.
+std::vector<std::string> names_of_back(std::vector<Box> back) {
+    std::vector<Box> all = on_legs(0.44, 0.44, 0.42, 0.04, {{Vec3(0, 0, 0.42), Vec3(0.44, 0.44, 0.47)}});
+    for (const double left : {0.0, 0.4}) all.push_back({Vec3(left, 0.4, 0.47), Vec3(left + 0.04, 0.44, 0.95)});
+    all.insert(all.end(), back.begin(), back.end());
+    const Annotation annotation = Furniture::get().annotate(boxes(all));
+    EXPECT_TRUE(std::ranges::count(annotation.all_classes, "Chair"));
+    std::vector<std::string> names;
+    for (std::size_t box = all.size() - back.size(); box < all.size(); ++box) names.push_back(annotation.labels[12 * box]);
+    return names;
+}
+
+TEST(FurnitureParts, ARailBetweenTwoPostsIsOfTheBack) {
+    EXPECT_EQ(names_of_back({{Vec3(0.04, 0.4, 0.66), Vec3(0.4, 0.44, 0.71)}, {Vec3(0, 0.4, 0.95), Vec3(0.44, 0.44, 1.05)}}),
+              (std::vector<std::string>{"Backrest", "Backrest"}));
+}
+
+TEST(FurnitureParts, ACrestMayBeABlock) {
+    EXPECT_EQ(names_of_back({{Vec3(0.06, 0.28, 0.95), Vec3(0.38, 0.48, 1.14)}}), std::vector<std::string>{"Backrest"});
+}
+
+TEST(FurnitureParts, ArmrestsHaveNothingAboveThem) {
+    EXPECT_EQ(names_of_back({{Vec3(0, 0.02, 0.64), Vec3(0.04, 0.4, 0.68)},
+                             {Vec3(0.4, 0.02, 0.64), Vec3(0.44, 0.4, 0.68)},
+                             {Vec3(0.04, 0.4, 0.8), Vec3(0.4, 0.44, 0.95)}}),
+              (std::vector<std::string>{"Armrest", "Armrest", "Backrest"}));
+}
+
 }  // namespace
 }  // namespace partonomy
