@@ -122,13 +122,15 @@ std::vector<std::string> names_of_back(std::vector<Box> back) {
     const Annotation annotation = Furniture::get().annotate(boxes(all));
     EXPECT_TRUE(std::ranges::count(annotation.all_classes, "Chair"));
     std::vector<std::string> names;
-    for (std::size_t box = all.size() - back.size(); box < all.size(); ++box) names.push_back(annotation.labels[12 * box]);
+    for (std::size_t box = all.size() - back.size(); box < all.size(); ++box)
+        names.push_back(annotation.labels[12 * box]);
     return names;
 }
 
 TEST(FurnitureParts, ARailBetweenTwoPostsIsOfTheBack) {
-    EXPECT_EQ(names_of_back({{Vec3(0.04, 0.4, 0.66), Vec3(0.4, 0.44, 0.71)}, {Vec3(0, 0.4, 0.95), Vec3(0.44, 0.44, 1.05)}}),
-              (std::vector<std::string>{"Backrest", "Backrest"}));
+    EXPECT_EQ(
+        names_of_back({{Vec3(0.04, 0.4, 0.66), Vec3(0.4, 0.44, 0.71)}, {Vec3(0, 0.4, 0.95), Vec3(0.44, 0.44, 1.05)}}),
+        (std::vector<std::string>{"Backrest", "Backrest"}));
 }
 
 TEST(FurnitureParts, ACrestMayBeABlock) {
