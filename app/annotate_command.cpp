@@ -186,8 +186,9 @@ Annotation annotate_file(const Arguments& arguments, const Knowhow& knowhow, Inp
     const double placing_ms = watch.lap();
     progress.show(fmt::format("{}: asking", mesh_path));
     const Object& object = input.object;
-    Annotation annotation = annotate(knowhow.domain, knowhow.catalogue, object,
-                                     {parse_strategy(arguments.strategy), parse_criterion(arguments.criterion)});
+    AnnotateOptions options{parse_strategy(arguments.strategy), parse_criterion(arguments.criterion)};
+    options.threads = arguments.threads;
+    Annotation annotation = annotate(knowhow.domain, knowhow.catalogue, object, options);
     annotation.timings_ms.insert(annotation.timings_ms.begin(),
                                  {{"load ontology", knowhow.load_ms}, {"read mesh", input.read_ms}});
     annotation.mesh_file = mesh_path;

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <memory>
 
 #include "algorithms/appearance.h"
 #include "base/errors.h"
@@ -235,6 +236,106 @@ std::vector<AnnotatedComposite> composite_parts(const Session& session, const Co
     return composites;
 }
 
+void run(Session& session, const AnnotateOptions& options) {
+    switch (options.strategy) {
+        case Strategy::expert:
+            run_expert(session, options.criterion);
+            break;
+        case Strategy::naive:
+            run_naive(session);
+            break;
+        case Strategy::segment_then_identify:
+            run_segment_then_identify(session);
+            break;
+    }
+    session.find_connections();
+}
+
+/// The least certain answer that a region's name rests on.
+double fuzzy_membership(const Session& session, int region) {
+    double least = 1;
+    const std::vector<knowledge::Answer> answers = session.knowledge().answers;
+    for (std::size_t i = 0; i < answers.size(); ++i)
+        if (answers[i].region == region && !session.is_measured(answers[i].question.variable))
+            least = std::min(least, session.answer_scores()[i]);
+    return least;
+}
+
+/// What the ontology says of the regions of a cut, once a session has asked all it wanted.
+Verdict verdict_of(const Session& session, const Cut& cut) {
+    const Domain& domain = session.domain();
+    const Conclusions known = conclude(domain, session.knowledge());
+    std::map<std::int32_t, std::size_t> place;  // in the cut, by lowest triangle
+    for (std::size_t i = 0; i < cut.size(); ++i) place[cut[i]->part.region.triangles.front()] = i;
+    Verdict verdict;
+    verdict.regions.resize(cut.size());
+    for (int region = 0; region < session.region_count(); ++region) {
+        const Naming naming = name_region(session, known.regions[static_cast<std::size_t>(region)]);
+        const auto found = place.find(session.part(region).region.triangles.front());
+        if (found == place.end() || naming.concepts.empty()) continue;
+        verdict.regions[found->second] = {owl::local_name(specific_first(domain, naming.concepts).front()),
+                                          naming.certainty * fuzzy_membership(session, region)};
+    }
+    verdict.is_consistent = !known.contradiction && known.diagnoses.empty();
+    verdict.is_recognised = std::ranges::any_of(entailed(*known.objects, known.object), [&](ConceptId c) {
+        const auto& concept_ = known.objects->concepts[static_cast<std::size_t>(c)];
+        return !concept_.incompatible && !concept_.iri.starts_with(owl::core_prefix);
+    });
+    return verdict;
+}
+
+/// Counts of the questions that were asked of cuts that others were better than.
+void add_questions(const Session& from, Session& to) {
+    to.find_all_count += from.find_all_count;
+    to.is_a_count += from.is_a_count;
+    to.related_count += from.related_count;
+    to.find_related_count += from.find_related_count;
+    to.read_off_count += from.read_off_count;
+}
+
+/// Tells the trace which edits made the cut likelier.
+void trace_edits(Session& session, const FinalLabelling& labelling, double ms) {
+    TraceEntry entry;
+    entry.kind = "FL";
+    entry.region = "mesh";
+    entry.question = "which cut is the likeliest";
+    entry.answer = fmt::format("{} edit{} in {} trials", labelling.edits.size(), labelling.edits.size() == 1 ? "" : "s",
+                               labelling.trials);
+    entry.score = 1;
+    entry.ms = ms;
+    for (const Edit& edit : labelling.edits)
+        for (int region = 0; region < session.region_count(); ++region)
+            if (std::ranges::binary_search(session.part(region).region.triangles, edit.triangle))
+                entry.inferred.push_back(fmt::format("part {} {}", region + 1, edit.what));
+    session.trace.push_back(std::move(entry));
+}
+
+/// The session of the likeliest cut, after all questions; `cut` becomes that one.
+std::unique_ptr<Session> ask_about_likeliest(const Domain& domain, const Catalogue& catalogue, const Object& object,
+                                             Cut& cut, const AnnotateOptions& options) {
+    const auto asked = [&](const Cut& about) {
+        auto session = std::make_unique<Session>(domain, catalogue, object, about);
+        run(*session, options);
+        return session;
+    };
+    std::unique_ptr<Session> session = asked(cut);
+    if (!options.mend || options.strategy != Strategy::expert || !session->has_own_find_all()) return session;
+    const auto start = std::chrono::steady_clock::now();
+    const auto judge = [&](const Cut& other) {
+        const std::unique_ptr<Session> trial = asked(other);
+        add_questions(*trial, *session);
+        return verdict_of(*trial, other);
+    };
+    const auto labelling = find_final_labelling(object, cut, verdict_of(*session, cut), judge, options.threads);
+    if (!labelling) return session;
+    cut = labelling->cut;
+    std::unique_ptr<Session> best = asked(cut);
+    add_questions(*session, *best);
+    trace_edits(*best, *labelling,
+                std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+    return best;
+}
+
 }  // namespace
 
 Strategy parse_strategy(const std::string& word) {
@@ -254,20 +355,9 @@ knowledge::SplitCriterion parse_criterion(const std::string& word) {
 Annotation annotate(const Domain& domain, const Catalogue& catalogue, const Object& object,
                     const AnnotateOptions& options) {
     const auto start = std::chrono::steady_clock::now();
-    Session session(domain, catalogue, object);
-    switch (options.strategy) {
-        case Strategy::expert:
-            run_expert(session, options.criterion);
-            break;
-        case Strategy::naive:
-            run_naive(session);
-            break;
-        case Strategy::segment_then_identify:
-            run_segment_then_identify(session);
-            break;
-    }
-
-    session.find_connections();
+    Cut cut = cut_of(object);
+    const std::unique_ptr<Session> likeliest = ask_about_likeliest(domain, catalogue, object, cut, options);
+    Session& session = *likeliest;
 
     const knowledge::Knowledge knowledge = session.knowledge();
     const Conclusions known = conclude(domain, knowledge);

@@ -9,6 +9,8 @@ struct AnnotateOptions {
     Strategy strategy = Strategy::expert;
     knowledge::SplitCriterion criterion = knowledge::SplitCriterion::gain_per_cost;
     bool diagnose = true;  ///< false: `consistent` is told, but not why
+    bool mend = true;      ///< the cut by what the ontology says of it, with Strategy::expert; see final_labelling.h
+    int threads = 1;       ///< <= 0: all cores
 };
 
 /// Cuts and names the parts of an object, recognises it, and says what is wrong with it (paper §3.3.2, §5.1.2).

@@ -100,7 +100,7 @@ public:
         by_size = by_size && metres_per_unit.has_value();
         if (by_size && !is_of_any_size(*metres_per_unit)) return 0;
         AnnotateOptions quick;
-        quick.diagnose = false;
+        quick.diagnose = quick.mend = false;
         const Annotation annotation = annotate(domain_, catalogue_, object_, quick);
         const std::size_t axis = up / 2;
         const double mirrored = std::max(mirrored_[(axis + 1) % 3], mirrored_[(axis + 2) % 3]);

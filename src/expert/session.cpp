@@ -50,15 +50,15 @@ std::vector<ConceptId> wanted_concepts(const Space& space) {
 
 }  // namespace
 
-Session::Session(const knowledge::Domain& domain, const Catalogue& catalogue, const Object& object)
+Session::Session(const knowledge::Domain& domain, const Catalogue& catalogue, const Object& object, const Cut& cut)
     : domain_(domain),
       catalogue_(catalogue),
       object_(object),
       wanted_(wanted_concepts(domain.regions)),
       rest_possible_(domain.regions.all()) {
     double covered = 0, total = 0;
-    for (const PartRegion& part : object_.candidates) {
-        rest_.push_back({part, measure_region(object_, part), {}, {}});
+    for (const auto& region : cut) {
+        rest_.push_back({region->part, region->measurements, {}, {}});
         covered += rest_.back().measurements.area;
     }
     for (const double area : object_.geometry.areas) total += area;

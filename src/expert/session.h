@@ -8,6 +8,7 @@
 #include "algorithms/catalogue.h"
 #include "algorithms/related_index.h"
 #include "expert/annotation.h"
+#include "expert/final_labelling.h"
 #include "knowledge/explain.h"
 #include "knowledge/relations.h"
 
@@ -17,8 +18,8 @@ namespace partonomy {
 /// decides what to ask; the session runs the algorithm, counts it, learns the answer, and writes the trace.
 class Session {
 public:
-    /// All three must outlive the session.
-    Session(const knowledge::Domain& domain, const Catalogue& catalogue, const Object& object);
+    /// All must outlive the session. `cut`: of the object; its own regions, or others.
+    Session(const knowledge::Domain& domain, const Catalogue& catalogue, const Object& object, const Cut& cut);
 
     /// SF: cuts all regions out of the uncut rest that are what the question says, by the question's own algorithm or a
     /// derived one. Returns how many.

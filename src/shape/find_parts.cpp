@@ -146,14 +146,14 @@ std::vector<PartRegion> find_parts(const TriangleMesh& mesh, const FindPartsOpti
     Cores cores = find_cores(s);
     clock.done("cores");
     Parts parts{std::move(cores.cores), std::move(cores.core_of)};
-    merge_parts(s, parts);  // walls of one stick that were found apart are no rims
+    if (options.is_joined) merge_parts(s, parts);  // walls of one stick that were found apart are no rims
     claim(s, options.up, parts);
     found_new_parts(s, parts);
     clock.done("claims");
     s.scene.reset();
     fill(s, parts);
     clock.done("fill");
-    merge_parts(s, parts);
+    if (options.is_joined) merge_parts(s, parts);
     clock.done("merge");
     if (!is_refined) settle_borders(s, parts);
     clock.done("settle");

@@ -24,6 +24,7 @@ struct FindPartsOptions {
     int threads = 1;
     std::shared_ptr<const RayTree> tree = nullptr;  ///< of the mesh, where there is one already
     bool is_scene = false;  ///< many things that stand on or beside one another: each is cut for itself
+    bool is_joined = true;  ///< false: parts that continue each other stay apart, for whoever mends a cut
 };
 
 /// What find_parts spends its time on, in milliseconds, in the order of work.

@@ -223,7 +223,8 @@ TEST(Derived, FindAllOfAnExpertsConcept) {
     const ElementaryAlgorithm* algorithm = expert.catalogue.find(Signature::find_all, {*variable, 1});
     ASSERT_NE(algorithm, nullptr);
     EXPECT_EQ(algorithm->origin, Origin::derived);
-    Session session(expert.domain, expert.catalogue, object);
+    const Cut cut = cut_of(object);
+    Session session(expert.domain, expert.catalogue, object, cut);
     EXPECT_EQ(session.find_all({*variable, 1}), 2);
     EXPECT_TRUE(session.has_rest());
     EXPECT_EQ(session.find_all({*variable, 0}), 1);

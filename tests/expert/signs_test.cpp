@@ -159,7 +159,8 @@ TEST(TrafficSigns, FindAllOfAColour) {
         EXPECT_FALSE(blind.find_all_cost({*colour, red}));
     }
     paint(object, appearance_of(no_entry));
-    Session session(traffic.domain, traffic.catalogue, object);
+    const Cut cut = cut_of(object);
+    Session session(traffic.domain, traffic.catalogue, object, cut);
     EXPECT_TRUE(session.find_all_cost({*colour, red}));
     ASSERT_EQ(session.find_all({*colour, red}), 1);
     for (const std::int32_t t : session.part(0).region.triangles)
