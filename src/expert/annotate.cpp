@@ -272,7 +272,9 @@ Verdict verdict_of(const Session& session, const Cut& cut) {
     for (int region = 0; region < session.region_count(); ++region) {
         const Naming naming = name_region(session, known.regions[static_cast<std::size_t>(region)]);
         const auto found = place.find(session.part(region).region.triangles.front());
-        if (found == place.end() || naming.concepts.empty()) continue;
+        if (found == place.end()) continue;
+        cut[found->second]->measurements.surroundings = session.measurements(region).surroundings;  // for the next cut
+        if (naming.concepts.empty()) continue;
         verdict.regions[found->second] = {owl::local_name(specific_first(domain, naming.concepts).front()),
                                           naming.certainty * fuzzy_membership(session, region)};
     }

@@ -9,7 +9,8 @@
  *
  * and edits are tried around what is suspicious, each judged by asking the whole expert system again:
  *
- *     join    a suspicious region and a neighbour, where their common box is hardly larger than both boxes
+ *     join    a region without a name, or a stump that hardly is what it is called, and a neighbour, where their common
+ *             box is hardly larger than both boxes
  *     recut   a badly fitting part, along the pieces of a second, finer cut (find_parts without joining), and then join
  *             the pieces to each other and to the neighbours as long as that is likelier
  *
@@ -94,10 +95,11 @@ public:
                     const bool is_stump = state.verdict.regions[i].name.empty() && share(state.cut[i]) < stump;
                     const Joined& whole = join(state.cut[i], state.cut[j]);
                     if (whole.room > (is_stump ? very_roomy : roomy)) continue;
-                    State next = judged(replaced(state.cut, {i, j}, {whole.region}));
                     const bool is_fresh = fresh.contains(state.cut[i].get());
-                    const double gain =
-                        next.likelihood - state.likelihood - (is_fresh ? 0 : join_margin * share(state.cut[i]));
+                    const double margin = is_fresh ? 0 : join_margin * share(state.cut[i]);
+                    if (best_gain(state, i, j, whole.region->part.fit) - margin <= most) continue;
+                    State next = judged(replaced(state.cut, {i, j}, {whole.region}));
+                    const double gain = next.likelihood - state.likelihood - margin;
                     if (gain <= most) continue;
                     most = gain;
                     const std::string& name = state.verdict.regions[i].name;
@@ -170,12 +172,21 @@ private:
         return named.name.empty() ? 0 : state.cut[i]->part.fit * named.fuzzy;
     }
 
+    /// What a join would gain were the whole sure of its name and the others' names the same; no limit where the
+    /// object's class or a rule is at stake.
+    [[nodiscard]] double best_gain(const State& state, std::size_t i, std::size_t j, double fit) const {
+        if (!state.verdict.is_recognised || !state.verdict.is_consistent) return 1;
+        return share(state.cut[i]) * (fit - quality(state, i)) + share(state.cut[j]) * (fit - quality(state, j)) +
+               each_region;
+    }
+
     /// Regions that may belong to another one, the largest loss first.
     [[nodiscard]] std::vector<std::size_t> suspicious(const State& state,
                                                       const std::set<const MeasuredRegion*>& fresh) const {
         std::vector<std::pair<double, std::size_t>> found;
         for (std::size_t i = 0; i < state.cut.size(); ++i)
-            if (quality(state, i) < unlikely || fresh.contains(state.cut[i].get()))
+            if (fresh.contains(state.cut[i].get()) || state.verdict.regions[i].name.empty() ||
+                (quality(state, i) < unlikely && share(state.cut[i]) < stump))
                 found.emplace_back(-share(state.cut[i]) * (1 - quality(state, i)), i);
         std::ranges::stable_sort(found, {}, &std::pair<double, std::size_t>::first);
         if (found.size() > most_suspicious) found.resize(most_suspicious);
@@ -365,7 +376,7 @@ std::optional<FinalLabelling> find_final_labelling(const Object& object, const C
                                                    const std::function<Verdict(const Cut&)>& judge, int threads) {
     double surface = 0;
     for (const double area : object.geometry.areas) surface += area;
-    if (cut.size() < 2 || cut.size() > most_regions || object.is_scene || is_fine(cut, first, surface))
+    if (cut.empty() || cut.size() > most_regions || object.is_scene || is_fine(cut, first, surface))
         return std::nullopt;
     Search search(object, judge, threads);
     FinalLabelling result;

@@ -155,7 +155,8 @@ TEST(TrafficSigns, FindAllOfAColour) {
     const PaintedObject no_entry = signs().front();
     Object object = make_object(no_entry.object.mesh, {});
     {
-        const Session blind(traffic.domain, traffic.catalogue, object);
+        const Cut uncoloured = cut_of(object);
+        const Session blind(traffic.domain, traffic.catalogue, object, uncoloured);
         EXPECT_FALSE(blind.find_all_cost({*colour, red}));
     }
     paint(object, appearance_of(no_entry));
