@@ -21,6 +21,8 @@
  * regions, which keep their measurements, about a millisecond; at most 160 of them. A recut costs find_parts once more,
  * whatever the number of parts. Deterministic: likelihoods are compared in the order of the regions.
  *
+ * Objects with colours stay as they are: find_parts does not see what colour parted. Scenes have too many regions.
+ *
  * Left: membership in several regions at once, and moving triangles one by one between names (a labelling by graph cut
  * over triangles with the ontology's constraints as its unary terms). Borders are drawn at creases already by
  * find_parts (settle.cpp), and parts must stay parts. */
@@ -376,7 +378,8 @@ std::optional<FinalLabelling> find_final_labelling(const Object& object, const C
                                                    const std::function<Verdict(const Cut&)>& judge, int threads) {
     double surface = 0;
     for (const double area : object.geometry.areas) surface += area;
-    if (cut.empty() || cut.size() > most_regions || object.is_scene || is_fine(cut, first, surface))
+    if (cut.empty() || cut.size() > most_regions || object.is_scene || object.appearance ||
+        is_fine(cut, first, surface))
         return std::nullopt;
     Search search(object, judge, threads);
     FinalLabelling result;
