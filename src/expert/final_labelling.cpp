@@ -51,7 +51,7 @@ constexpr double roomy = 1.25, very_roomy = 3;            // common box over bot
 constexpr double stump = 0.02;                            // share of the surface, at most
 constexpr double join_margin = 0.2;                       // of the joining region's share of the surface
 constexpr double recut_margin = 0.01;
-constexpr std::size_t most_regions = 64, most_suspicious = 16;
+constexpr std::size_t most_regions = 64, most_suspicious = 16, most_pieces = 100;
 constexpr int most_trials = 160, most_recuts = 4;
 
 using Shared = std::shared_ptr<const MeasuredRegion>;
@@ -300,6 +300,7 @@ private:
                     }
             }
         }
+        if (areas.size() > most_pieces) return {};
         give_away_small(triangles, piece_of, areas);
         std::map<std::int32_t, std::vector<std::int32_t>> pieces;
         for (const std::int32_t t : triangles) pieces[piece_of[static_cast<std::size_t>(t)]].push_back(t);
