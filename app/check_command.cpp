@@ -118,15 +118,15 @@ Checked look_at(const OntologyArguments& arguments) {
         return checked;
     }
     Catalogue catalogue;
+    knowledge::LintOptions options;
     try {
         catalogue = make_catalogue(*checked.domain);
-    } catch (const OntologyError& error) {
+        options.can_answer = [&](knowledge::Question question) {
+            return catalogue.find(Signature::is_a, question) != nullptr;
+        };
+    } catch (const OntologyError& error) {  // what can be answered is only known when this is mended
         checked.findings.push_back(knowledge::why_refused(checked.ontology, error.what()));
     }
-    knowledge::LintOptions options;
-    options.can_answer = [&](knowledge::Question question) {
-        return catalogue.find(Signature::is_a, question) != nullptr;
-    };
     for (Finding& finding : lint(*checked.domain, options)) checked.findings.push_back(std::move(finding));
     return checked;
 }

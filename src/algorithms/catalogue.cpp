@@ -76,10 +76,16 @@ template <typename Measures>
 const auto& require(const Measures& measures, const Domain& domain, const owl::Iri& iri, const std::string& name) {
     for (const auto& measure : measures)
         if (name == measure.name) return measure;
+    const owl::Source source = source_of(domain, iri, name);
+    if (find_measure(name))
+        throw OntologyError(
+            at(source.file, source.line,
+               fmt::format("{}: \"{}\" is measured of one region, and a relation needs what is measured "
+                           "between regions; partonomy catalogue lists such measures",
+                           owl::local_name(iri), name)));
     const auto* nearest = &measures[0];
     for (const auto& measure : measures)
         if (distance_in_words(name, measure.name) < distance_in_words(name, nearest->name)) nearest = &measure;
-    const owl::Source source = source_of(domain, iri, name);
     throw OntologyError(at(source.file, source.line,
                            fmt::format("{}: there is no measure \"{}\"; did you mean \"{}\"?", owl::local_name(iri),
                                        name, nearest->name)));

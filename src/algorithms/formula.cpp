@@ -18,6 +18,8 @@
 #include <cmath>
 #include <string_view>
 
+#include "algorithms/measures.h"
+#include "algorithms/relations.h"
 #include "base/errors.h"
 #include "base/spelling.h"
 
@@ -160,6 +162,11 @@ private:
         if (word.empty())
             fail(at_ < text_.size() ? fmt::format("a measure or a number should stand before \"{}\"", text_.substr(at_))
                                     : std::string("it ends where a measure or a number should stand"));
+        if (const RelationMeasure* between = find_relation_measure(word))
+            throw OntologyError(
+                fmt::format("\"{}\" is measured between {} regions; name it in a core:criterion of a relation, or "
+                            "measure one region",
+                            word, between->arity));
         std::string nearest;  // all that are as near
         std::size_t distance = std::string::npos;
         for (const Measure& measure : all_measures()) {

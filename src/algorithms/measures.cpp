@@ -85,6 +85,8 @@ std::vector<Measure> built_in_measures() {
         {"footprint share", "1",
          "area of the region's upper side, over that of the object's outline, both seen from above", false,
          Effort::at_once, [](const Object& o, const RegionMeasurements& r) { return ratio(r.plan_area, o.footprint); }},
+        {"upper area", "m2", "area of the region's upper side, seen from above", true, Effort::on_demand,
+         [](const Object& o, const RegionMeasurements& r) { return metres(o, metres(o, r.plan_area)); }},
         {"open above", "1", "share of the region's upper side that nothing of the object is above", false, Effort::rays,
          [](const Object& o, const RegionMeasurements& r) { return look_around(o, r).open_above; }},
         {"room above", "1", "share of the upper side with nothing above it within a tenth of the object's height",

@@ -51,18 +51,23 @@ const std::vector<Point>& outline_of(const Scene& scene, const RegionPlace& plac
     return place.outline;
 }
 
-/// 0 within the outline.
-double distance(const Point& p, const std::vector<Point>& outline) {
-    bool is_inside = outline.size() > 2;
+double distance_to_border(const Point& p, std::span<const Point> outline) {
     double nearest = infinity;
     for (std::size_t i = 0; i < outline.size(); ++i) {
         const Point &from = outline[i], side = outline[(i + 1) % outline.size()] - from;
-        is_inside = is_inside && cross(side, p - from) >= 0;
         const double length = side.squaredNorm();
         const double along = length > 0 ? std::clamp((p - from).dot(side) / length, 0.0, 1.0) : 0;
         nearest = std::min(nearest, (p - from - along * side).norm());
     }
-    return is_inside ? 0 : nearest;
+    return nearest;
+}
+
+/// 0 within the outline, which goes round to the left.
+double distance(const Point& p, std::span<const Point> outline) {
+    bool is_inside = outline.size() > 2;
+    for (std::size_t i = 0; is_inside && i < outline.size(); ++i)
+        is_inside = cross(outline[(i + 1) % outline.size()] - outline[i], p - outline[i]) >= 0;
+    return is_inside ? 0 : distance_to_border(p, outline);
 }
 
 bool is_parted(const std::vector<Point>& a, const std::vector<Point>& b) {
@@ -108,11 +113,35 @@ std::optional<double> plan_distance(const Scene& scene, Regions r) {
     return in_metres(scene, nearest);
 }
 
+/// From p to the triangles of the region, seen from above.
+double distance_to_surface(const Scene& scene, const RegionPlace& place, const Point& p) {
+    const TriangleMesh& mesh = scene.object->mesh;
+    double nearest = infinity;
+    for (const std::int32_t t : place.part->region.triangles) {
+        std::array<Point, 3> corners;
+        for (std::size_t i = 0; i < 3; ++i)
+            corners[i] = scene.frame.topRows<2>() *
+                         mesh.positions[static_cast<std::size_t>(mesh.triangles[static_cast<std::size_t>(t)][i])];
+        const Point low = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]),
+                    high = corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]);
+        if ((low - p).cwiseMax(p - high).cwiseMax(0.0).norm() >= nearest) continue;
+        if (cross(corners[1] - corners[0], corners[2] - corners[0]) < 0) std::swap(corners[1], corners[2]);
+        nearest = std::min(nearest, distance(p, corners));
+        if (nearest == 0) return 0;
+    }
+    return nearest;
+}
+
+/// Within the outline what counts is the surface, which may follow a bend or lie around something. A hole that the
+/// target itself fills, standing on it in one closed surface, is none.
 std::optional<double> middle_distance(const Scene& scene, Regions r) {
     const std::vector<Point>& target = outline_of(scene, *r[0]);
     Point middle = Point::Zero();
     for (const Point& p : target) middle += p / static_cast<double>(target.size());
-    return in_metres(scene, distance(middle, outline_of(scene, *r[1])));
+    const double outside = distance(middle, outline_of(scene, *r[1]));
+    if (outside > 0) return in_metres(scene, outside);
+    const double reach = distance_to_border(middle, target);
+    return in_metres(scene, std::max(0.0, distance_to_surface(scene, *r[1], middle) - 1.1 * reach));
 }
 
 }  // namespace

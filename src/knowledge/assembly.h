@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <mutex>
 #include <optional>
 
@@ -46,10 +47,15 @@ struct Assembled {
     bool is_certain = true;                 ///< there are no others in any case
 };
 
+/// What each kind of region, and each kind of composite part, counts for everything around it (put_together.cpp).
+struct Contributions;
+[[nodiscard]] std::shared_ptr<const Contributions> find_contributions(const Assembly& assembly,
+                                                                      const ConfigurationSet& all);
+
 /// Puts the regions of an object together: each known to lie in its set (empty: nothing is known), those of each pair
 /// in `connected` touching. nullopt when there are too many ways to try them all.
 [[nodiscard]] std::optional<Assembled> put_together(const Theory& theory, const Assembly& assembly,
-                                                    const ConfigurationSet& all,
+                                                    const Contributions& contributions,
                                                     const std::vector<ConfigurationSet>& regions,
                                                     const std::vector<std::pair<int, int>>& connected);
 
@@ -81,10 +87,13 @@ struct Grounding {
     };
     /// Made when first asked for. Throws OntologyError when there are too many configurations.
     [[nodiscard]] const Listing& objects() const;
+    /// Made when first asked for.
+    [[nodiscard]] const Contributions& contributions() const;
 
 private:
-    mutable std::once_flag once_;
+    mutable std::once_flag once_, contributions_once_;
     mutable Listing listing_;
+    mutable std::shared_ptr<const Contributions> contributions_;
 };
 
 /// What belongs together: a set of configurations that none of some sets tells apart, and which of them it is in.

@@ -227,6 +227,11 @@ const Grounding::Listing& Grounding::objects() const {
     return listing_;
 }
 
+const Contributions& Grounding::contributions() const {
+    std::call_once(contributions_once_, [&] { contributions_ = find_contributions(assembly, regions); });
+    return *contributions_;
+}
+
 const Space& Domain::objects() const { return grounding->objects().space; }
 
 std::vector<std::string> Domain::object_warnings() const {

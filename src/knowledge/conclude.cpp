@@ -56,8 +56,8 @@ std::shared_ptr<const Space> objects_of(const Grounding& grounding, const Knowle
         }
         return objects_with(grounding, counts_within(regions, grounding.regions), possible);
     } catch (const OntologyError& limit_reached) {
-        return std::make_shared<const Space>(
-            objects_by_solver(grounding.theory, grounding.scope, parts, regions, knowledge.complete, limit_reached.what()));
+        return std::make_shared<const Space>(objects_by_solver(grounding.theory, grounding.scope, parts, regions,
+                                                               knowledge.complete, limit_reached.what()));
     }
 }
 
@@ -105,8 +105,8 @@ std::vector<ConfigurationSet> told_regions(const Domain& domain, const Knowledge
 std::optional<Assembled> composites_of(const Domain& domain, const Knowledge& knowledge,
                                        const std::vector<ConfigurationSet>& regions) {
     if (!knowledge.complete) return std::nullopt;
-    return put_together(domain.grounding->theory, domain.grounding->assembly, domain.regions.all(), regions,
-                        knowledge.connected);
+    return put_together(domain.grounding->theory, domain.grounding->assembly, domain.grounding->contributions(),
+                        regions, knowledge.connected);
 }
 
 Conclusions conclude_with(const Domain& domain, const Knowledge& knowledge, std::vector<ConfigurationSet> regions,

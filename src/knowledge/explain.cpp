@@ -57,7 +57,9 @@ public:
         std::vector<Counts> counts;
         if (assembly.has_composites()) {
             std::optional<Assembled> assembled;
-            if (complete) assembled = put_together(theory_, assembly, regions.space.all(), sets, knowledge_.connected);
+            if (complete)
+                assembled = put_together(theory_, assembly, *find_contributions(assembly, regions.space.all()), sets,
+                                         knowledge_.connected);
             if (goal_ >= 0 && theory_.concepts[goal_].level == Level::composite)
                 return assembled && std::ranges::any_of(assembled->composites, [&](const CompositePart& composite) {
                            const Layer& layer =

@@ -28,7 +28,8 @@ Counts counts_of(const Parts& parts, const auto& is_in) {
     return counts;
 }
 
-/// What each kind of region, and each kind of composite part, counts for everything around it.
+}  // namespace
+
 struct Contributions {
     /// By cell of the configurations of a region.
     std::vector<Cell> cells;
@@ -43,7 +44,7 @@ struct Contributions {
     std::vector<std::vector<Counts>> composite_to_object;              ///< [group][cell]
 };
 
-Contributions find_contributions(const Assembly& assembly, const ConfigurationSet& all) {
+std::shared_ptr<const Contributions> find_contributions(const Assembly& assembly, const ConfigurationSet& all) {
     Contributions result;
     const std::size_t groups = assembly.composites.size();
     std::vector<const Parts*> observers;
@@ -102,8 +103,10 @@ Contributions find_contributions(const Assembly& assembly, const ConfigurationSe
                                                       cell.in.end());
         }
     }
-    return result;
+    return std::make_shared<const Contributions>(std::move(result));
 }
+
+namespace {
 
 /// One connected set of regions that may be in groups.
 class Cluster {
@@ -257,10 +260,9 @@ std::vector<std::vector<int>> connected_sets(const std::vector<char>& members,
 
 }  // namespace
 
-std::optional<Assembled> put_together(const Theory& theory, const Assembly& assembly, const ConfigurationSet& all,
-                                      const std::vector<ConfigurationSet>& regions,
+std::optional<Assembled> put_together(const Theory& theory, const Assembly& assembly,
+                                      const Contributions& contributions, const std::vector<ConfigurationSet>& regions,
                                       const std::vector<std::pair<int, int>>& connected) {
-    const Contributions contributions = find_contributions(assembly, all);
     std::vector<std::vector<std::size_t>> cells(regions.size());
     std::vector<char> may_be_grouped(regions.size(), 0);
     std::set<Counts> counts{0};
@@ -271,10 +273,10 @@ std::optional<Assembled> put_together(const Theory& theory, const Assembly& asse
         counts = std::move(sums);
     };
     for (std::size_t r = 0; r < regions.size(); ++r) {
-        const ConfigurationSet known = regions[r].is_empty() ? all : regions[r];
+        const bool is_any = regions[r].is_empty();
         std::set<Counts> alone;
         for (std::size_t c = 0; c < contributions.cells.size(); ++c)
-            if (contributions.cells[c].where.intersects(known)) {
+            if (is_any || contributions.cells[c].where.intersects(regions[r])) {
                 cells[r].push_back(c);
                 may_be_grouped[r] |= contributions.is_grouped[c];
                 alone.insert(contributions.to_object[c]);

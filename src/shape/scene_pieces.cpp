@@ -47,10 +47,38 @@ private:
     std::vector<std::int32_t> parents_;
 };
 
+constexpr double much_larger = 3;     // in area
+constexpr double faces_alike = 0.99;  // cosine
+
 struct Side {
     double area = 0, outline = 0, concave = 0;
     std::int32_t triangles = 0;
+    Vec3 normal = Vec3::Zero();  // sum over its area
 };
+
+struct Border {
+    double convex = 0, concave = 0;
+};
+using Borders = std::map<std::pair<std::int32_t, std::int32_t>, Border>;
+
+/// Sides that would join two much larger ones that face the same way; with which of those each goes.
+std::map<std::int32_t, std::int32_t> bridges(const std::vector<Side>& sides, const Borders& borders) {
+    std::map<std::int32_t, std::vector<std::pair<double, std::int32_t>>> larger;  // length of the border, other side
+    for (const auto& [pair, border] : borders) {
+        if (border.convex <= border.concave) continue;
+        for (const auto& [small, large] : {pair, std::pair(pair.second, pair.first)})
+            if (sides[large].area > much_larger * sides[small].area) larger[small].emplace_back(border.convex, large);
+    }
+    std::map<std::int32_t, std::int32_t> found;
+    for (const auto& [small, around] : larger)
+        for (std::size_t i = 0; i < around.size(); ++i)
+            for (std::size_t j = 0; j < i; ++j) {
+                const Side &a = sides[around[i].second], &b = sides[around[j].second];
+                if (a.normal.dot(b.normal) > faces_alike * a.area * b.area)
+                    found[small] = std::ranges::max(around).second;
+            }
+    return found;
+}
 
 }  // namespace
 
@@ -81,12 +109,10 @@ std::vector<ScenePiece> scene_pieces(const TriangleMesh& mesh, const Adjacency& 
         }
         Side& side = measured[side_of[i]];
         side.area += geometry.areas[i];
+        side.normal += geometry.areas[i] * geometry.normals[i];
         ++side.triangles;
     }
-    struct Border {
-        double convex = 0, concave = 0;
-    };
-    std::map<std::pair<std::int32_t, std::int32_t>, Border> borders;
+    Borders borders;
     for_each_edge([&](std::int32_t i, std::int32_t j, int e) {
         const std::int32_t a = side_of[i], b = side_of[j];
         if (a == b) return;
@@ -105,8 +131,11 @@ std::vector<ScenePiece> scene_pieces(const TriangleMesh& mesh, const Adjacency& 
         return measured[side].triangles > 1 && measured[side].concave > mostly * measured[side].outline;
     };
     Union pieces(measured.size());
+    const std::map<std::int32_t, std::int32_t> goes_with = bridges(measured, borders);
+    for (const auto& [small, large] : goes_with) pieces.join(small, large);
     for (const auto& [pair, border] : borders)
-        if (border.convex > border.concave && !stands_alone(pair.first) && !stands_alone(pair.second))
+        if (border.convex > border.concave && !stands_alone(pair.first) && !stands_alone(pair.second) &&
+            !goes_with.contains(pair.first) && !goes_with.contains(pair.second))
             pieces.join(pair.first, pair.second);
     std::vector<double> areas(measured.size(), 0);
     for (std::size_t side = 0; side < measured.size(); ++side)

@@ -99,6 +99,7 @@ TEST(Formula, WhatWasCombinedIsKept) {
 
 TEST(Formula, ErrorsNameWhatIsWrong) {
     expect_error("top heigth - bottom height", "no measure \"top heigth\"; did you mean \"top height\"?");
+    expect_error("gap", "\"gap\" is measured between 2 regions");
     expect_error("inclinatoin", "did you mean \"inclination\"?");
     expect_error("l0/l3", "did you mean \"l0/l1\" or \"l0/l2\"");
     expect_error("top height - inclination", "it subtracts m and degrees");

@@ -61,7 +61,8 @@ TEST(Inspection, DefectsAreNamed) {
     for (std::uint32_t seed = 1; seed <= seeds; ++seed) {
         const std::string& defect = bracket_defects()[seed % bracket_defects().size()];
         SCOPED_TRACE(testing::Message() << "seed " << seed << " " << defect);
-        const Annotation annotation = inspect(bracket(seed, defect));
+        const ExampleObject part = bracket(seed, defect);
+        const Annotation annotation = inspect(part);
         EXPECT_FALSE(annotation.consistent);
         EXPECT_FALSE(std::ranges::count(annotation.classes, "Bracket"));
         ASSERT_FALSE(annotation.diagnosis.empty());
@@ -69,6 +70,14 @@ TEST(Inspection, DefectsAreNamed) {
             EXPECT_EQ(diagnosis.concept_name, defect);
             EXPECT_FALSE(diagnosis.parts.empty());
             EXPECT_FALSE(diagnosis.axioms.empty());
+            EXPECT_FALSE(diagnosis.corrections.empty());  // as of all that is explained, however many parts there are
+            if (defect != "ExtraBoard") continue;
+            EXPECT_EQ(diagnosis.parts.size(), 1U);  // the board that is too many, made after the ribs
+            std::int32_t last = -1;
+            for (std::size_t t = 0; t < part.labels.size(); ++t)
+                if (part.labels[t] == "Rib") last = std::max(last, part.parts[t]);
+            const AnnotatedPart& blamed = annotation.parts[static_cast<std::size_t>(diagnosis.parts[0] - 1)];
+            EXPECT_EQ(part.parts[static_cast<std::size_t>(blamed.triangles.front())], last);
         }
     }
 }
