@@ -21,7 +21,8 @@
  * regions, which keep their measurements, about a millisecond; at most 160 of them. A recut costs find_parts once more,
  * whatever the number of parts. Deterministic: likelihoods are compared in the order of the regions.
  *
- * Objects with colours stay as they are: find_parts does not see what colour parted. Scenes have too many regions.
+ * Coarse meshes are not cut again: their borders are edges that someone drew. Objects with colours stay as they are:
+ * find_parts does not see what colour parted. Scenes have too many regions.
  *
  * Left: membership in several regions at once, and moving triangles one by one between names (a labelling by graph cut
  * over triangles with the ontology's constraints as its unary terms). Borders are drawn at creases already by
@@ -38,6 +39,7 @@
 
 #include "base/spelling.h"
 #include "shape/part_box.h"
+#include "shape/refine.h"
 
 namespace partonomy {
 namespace {
@@ -122,6 +124,8 @@ public:
 
     /// Cuts parts that fit badly along finer pieces, the worst first.
     State recut_all(State state, std::vector<Edit>& edits) {
+        const double size = compute_bounds(object_.mesh).diagonal();
+        if (std::isfinite(refinement_length(object_.mesh, size))) return state;  // borders are edges that someone drew
         std::set<const MeasuredRegion*> done;
         for (int recut = 0; recut < most_recuts && trials < most_trials; ++recut) {
             const double limit = state.verdict.is_recognised ? bad_fit : worse_fit;
