@@ -155,6 +155,17 @@ void tell(const Placing& placing, const Input& input, double ms, Annotation& ann
             "No unit is clearly the likeliest; --unit tells it, so that sizes can be asked.");
 }
 
+/// A note where sizes are asked of an object that the unit nobody told makes longer than a house.
+void doubt_unit(const Arguments& arguments, const Knowhow& knowhow, const Input& input, Annotation& annotation) {
+    constexpr double too_long = 50;  // metres
+    if (arguments.unit_is_told || input.unit != "m" || knowhow.domain.is_about_scenes) return;
+    if (std::ranges::none_of(knowhow.catalogue.algorithms, &ElementaryAlgorithm::needs_metres)) return;
+    const Bounds bounds = compute_bounds(input.object.mesh);
+    if (const double length = (bounds.high - bounds.low).maxCoeff(); length > too_long)
+        annotation.mesh_notes.push_back(fmt::format(
+            "Read as {:.0f} m long, since no --unit was told, and sizes are asked for; is it --unit mm?", length));
+}
+
 /// What may keep objects from being anything: concepts that none can be, or that nothing proves.
 void tell_about_objects(const knowledge::Domain& domain) {
     try {
@@ -201,6 +212,7 @@ Annotation annotate_file(const Arguments& arguments, const Knowhow& knowhow, Inp
     annotation.up = input.up;
     annotation.unit = object.placement.metres_per_unit ? input.unit : "unknown";
     if (placing) tell(*placing, input, placing_ms, annotation);
+    doubt_unit(arguments, knowhow, input, annotation);
     annotation.strategy = arguments.strategy;
 
     progress.show(fmt::format("{}: writing", mesh_path));
@@ -209,23 +221,31 @@ Annotation annotate_file(const Arguments& arguments, const Knowhow& knowhow, Inp
     return annotation;
 }
 
+/// "Chair", "FloorLamp, incompatible: LampThatTips", "not recognised, perhaps OneSidedDumbbell": the picture's title in
+/// one line.
+std::string verdict(const Annotation& annotation) {
+    std::vector<std::string> classes, incompatible;
+    for (const Diagnosis& diagnosis : annotation.diagnosis) incompatible.push_back(diagnosis.concept_name);
+    for (const std::string& name : annotation.classes)
+        if (std::ranges::find(incompatible, name) == incompatible.end()) classes.push_back(name);
+    std::string text = classes.empty() ? "not recognised" : join(classes);
+    if (!incompatible.empty()) text += ", incompatible: " + counted(incompatible);
+    if (!annotation.perhaps.empty()) text += ", perhaps " + join(annotation.perhaps);
+    return text;
+}
+
 std::string summary(const Annotation& annotation, const fs::path& folder) {
-    std::vector<std::string> parts, composites, incompatible;
+    std::vector<std::string> parts, composites;
     for (const AnnotatedPart& part : annotation.parts) parts.push_back(concept_of(part));
     for (const AnnotatedComposite& composite : annotation.composites) composites.push_back(composite.concepts.front());
-    for (const Diagnosis& diagnosis : annotation.diagnosis)
-        if (std::ranges::find(annotation.classes, diagnosis.concept_name) == annotation.classes.end())
-            incompatible.push_back(diagnosis.concept_name);
     std::string named = parts.empty() ? "no parts" : counted(parts);
-    if (!composites.empty()) named += "; made up: " + counted(composites);
-    if (!incompatible.empty()) named += "; incompatible: " + counted(incompatible);
-    const std::string classes =
-        annotation.classes.empty() ? "not recognised" : fmt::format("{}", fmt::join(annotation.classes, ", "));
+    if (!composites.empty()) named += "; wholes: " + counted(composites);
     std::string related;  // only where the ontology has relations or composite parts
     for (const char* kind : {"T", "TF"})
         if (annotation.questions.at(kind) > 0) related += fmt::format(", {} {}", kind, annotation.questions.at(kind));
-    return fmt::format("{}: {} ({:.2f}): {}; SF {}, SI {}{} -> {}", annotation.mesh_file, classes, annotation.score,
-                       named, annotation.questions.at("SF"), annotation.questions.at("SI"), related, folder.string());
+    return fmt::format("{}: {} ({:.2f}): {}; SF {}, SI {}{} -> {}", annotation.mesh_file, verdict(annotation),
+                       annotation.score, named, annotation.questions.at("SF"), annotation.questions.at("SI"), related,
+                       folder.string());
 }
 
 /// At least one class that is no diagnosis.

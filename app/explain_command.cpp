@@ -56,6 +56,12 @@ void explain_open(const json& annotation, const json& part) {
         if (text.get<std::string>().starts_with(beginning)) fmt::print("  open: {}\n", text.get<std::string>());
 }
 
+/// What stayed open of the object: all that explain_open() does not print.
+void explain_what_is_open(const json& annotation) {
+    for (const json& text : annotation.at("open_questions"))
+        if (!text.get<std::string>().starts_with("part ")) fmt::print("open: {}\n", text.get<std::string>());
+}
+
 /// "part 2; parts 3, 4": each part, or composite part, that has the name.
 std::vector<std::string> bearers(const json& annotation, const std::string& name) {
     std::vector<std::string> found;
@@ -141,7 +147,9 @@ int run_explain(const Arguments& arguments) {
         if (arguments.part == 0)
             fmt::print("the object is {}, {} (score {:.3f})\n",
                        classes.empty() ? "not recognised" : fmt::format("{}", fmt::join(classes, ", ")),
-                       object.at("consistent").get<bool>() ? "consistent" : "incompatible",
+                       !object.at("consistent").get<bool>()                          ? "incompatible"
+                       : object.value("perhaps", std::vector<std::string>{}).empty() ? "consistent"
+                                                                                     : "consistent as far as is known",
                        object.at("score").get<double>());
         bool is_found = false;
         for (const json& part : annotation.at("parts"))
@@ -160,6 +168,7 @@ int run_explain(const Arguments& arguments) {
                            parts.size() > 1 ? "together are" : "is as a whole",
                            fmt::join(composite.at("concepts").get<std::vector<std::string>>(), ", "));
         }
+        if (arguments.part == 0) explain_what_is_open(annotation);
         for (const json& diagnosis : annotation.at("diagnosis")) {
             fmt::print("impossible: {}, because of part {}\n", diagnosis.at("concept").get<std::string>(),
                        fmt::join(diagnosis.at("parts").get<std::vector<int>>(), ", "));

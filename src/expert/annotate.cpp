@@ -3,7 +3,8 @@
  * A part is called by the most specific concept that is entailed for it. Where a question that would decide cannot be
  * answered (no unit, no algorithm), several names stay possible: then the part gets the name that holds in most of the
  * configurations that are left, its score is that fraction of the shape's, and the annotation lists the assumption
- * among its open questions. A part for which nothing can hold stays unnamed.
+ * among its open questions. A part for which nothing can hold stays unnamed. What is incompatible only if such an
+ * assumption is right is no class and no diagnosis: it is told as "perhaps".
  *
  * Score of a part: mean fitting score of its triangles times the `is a` score of its shape (paper §6.4). Score of the
  * object: mean of its parts' scores by area. */
@@ -14,11 +15,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <memory>
 
-#include "algorithms/appearance.h"
 #include "base/errors.h"
-#include "base/spelling.h"
+#include "expert/open_questions.h"
 
 namespace partonomy {
 namespace {
@@ -29,12 +30,6 @@ using knowledge::ConfigurationSet;
 using knowledge::Domain;
 using knowledge::Space;
 using owl::Iri;
-
-/// A part's name as it stands at the end.
-struct Naming {
-    std::vector<Iri> concepts;  ///< that hold, entailed or assumed
-    double certainty = 1;       ///< fraction of the configurations in which an assumed name holds
-};
 
 /// The value of core:`name` at a concept; empty when it has none.
 std::string annotation_of(const Domain& domain, const Iri& iri, const char* name) {
@@ -155,36 +150,6 @@ void label_faces(const Object& object, Annotation& annotation) {
     }
 }
 
-/// What the object lacks for questions to be answered.
-std::string why_not(const Session& session) {
-    if (!session.object().placement.metres_per_unit) return " while the unit is unknown";
-    return needs_appearance(session.catalogue()) && !session.object().appearance ? ", since the mesh has no colours"
-                                                                                 : "";
-}
-
-/// What is still open for want of an algorithm, a unit or colours.
-std::vector<std::string> open_questions(const Session& session, const std::vector<Naming>& namings,
-                                        const Conclusions& known) {
-    std::vector<std::string> open;
-    if (!known.left_aside.empty()) open.push_back("what only the whole mesh tells stays open: " + known.left_aside);
-    if (needs_appearance(session.catalogue()) && !session.object().appearance)
-        open.emplace_back("the mesh has no colours, so what hangs on them stays open");
-    for (int region = 0; region < session.region_count(); ++region) {
-        const Naming& naming = namings[static_cast<std::size_t>(region)];
-        if (naming.certainty < 1)
-            open.push_back(fmt::format("part {} is assumed to be {}: what would decide it cannot be asked{}",
-                                       region + 1, with_article(owl::local_name(naming.concepts.front())),
-                                       why_not(session)));
-        else if (session.possible(region).is_empty())
-            open.push_back(fmt::format("part {}: its answers contradict the axioms", region + 1));
-        else if (naming.concepts.empty())
-            open.push_back(fmt::format("part {} is nothing that the ontology names", region + 1));
-    }
-    if (const double fraction = session.uncovered_fraction(); fraction > 0.005)
-        open.push_back(fmt::format("{:.1f} % of the surface is in no part", 100 * fraction));
-    return open;
-}
-
 std::vector<LearnedAnswer> learned_answers(const Session& session, const knowledge::Knowledge& knowledge) {
     std::vector<LearnedAnswer> answers;
     for (std::size_t i = 0; i < knowledge.answers.size(); ++i) {
@@ -198,21 +163,24 @@ std::vector<LearnedAnswer> learned_answers(const Session& session, const knowled
     return answers;
 }
 
-/// What follows when assumed names count as known.
+/// What follows when assumed names count as known; what is known alone where that contradicts the axioms.
 Conclusions conclude_with_assumptions(const Session& session, const knowledge::Knowledge& knowledge,
                                       const Conclusions& known, const std::vector<Naming>& namings) {
-    const Domain& domain = session.domain();
-    std::vector<ConfigurationSet> regions = known.regions;
-    for (std::size_t r = 0; r < regions.size(); ++r)
-        if (namings[r].certainty < 1)
-            regions[r] &=
-                domain.regions.concepts[static_cast<std::size_t>(*domain.regions.find(namings[r].concepts.front()))]
-                    .where;
-    return conclude_object(domain, knowledge, std::move(regions));
+    Conclusions assumed = conclude_assuming(session.domain(), knowledge, known, namings);
+    return assumed.contradiction ? known : assumed;
+}
+
+/// What is incompatible under the names that are assumed, and not without them: the object, then composite parts.
+std::vector<Iri> perhaps_incompatible(const Conclusions& known, const Conclusions& assumed) {
+    std::vector<Iri> perhaps;
+    std::ranges::set_difference(assumed.diagnoses, known.diagnoses, std::back_inserter(perhaps));
+    std::erase_if(perhaps, [](const Iri& iri) { return iri.starts_with(owl::core_prefix); });
+    return perhaps;
 }
 
 /// The composite parts, those of which no concept is known left out.
-std::vector<AnnotatedComposite> composite_parts(const Session& session, const Conclusions& known) {
+std::vector<AnnotatedComposite> composite_parts(const Session& session, const Conclusions& known,
+                                                const std::vector<Iri>& perhaps) {
     const Domain& domain = session.domain();
     std::vector<AnnotatedComposite> composites;
     std::vector<const knowledge::CompositePart*> kept;
@@ -221,7 +189,8 @@ std::vector<AnnotatedComposite> composite_parts(const Session& session, const Co
         std::vector<Iri> names;
         for (const ConceptId c : entailed(space, part.possible)) {
             const Iri& iri = space.concepts[static_cast<std::size_t>(c)].iri;
-            if (!iri.starts_with(owl::core_prefix)) names.push_back(iri);
+            if (!iri.starts_with(owl::core_prefix) && std::ranges::find(perhaps, iri) == perhaps.end())
+                names.push_back(iri);
         }
         if (names.empty()) continue;
         AnnotatedComposite& composite = composites.emplace_back();
@@ -380,11 +349,14 @@ Annotation annotate(const Domain& domain, const Catalogue& catalogue, const Obje
     label_faces(object, annotation);
 
     const Conclusions assumed = conclude_with_assumptions(session, knowledge, known, namings);
-    annotation.composites = composite_parts(session, assumed);
+    const std::vector<Iri> perhaps = perhaps_incompatible(known, assumed);
+    annotation.perhaps = local_names(perhaps);
+    annotation.composites = composite_parts(session, assumed, perhaps);
     std::vector<Iri> classes;
     for (const ConceptId c : entailed(*assumed.objects, assumed.object)) {
         const Iri& iri = assumed.objects->concepts[static_cast<std::size_t>(c)].iri;
-        if (!iri.starts_with(owl::core_prefix) && !is_helper(domain, iri)) classes.push_back(iri);
+        const bool is_told = !iri.starts_with(owl::core_prefix) && !is_helper(domain, iri);
+        if (is_told && std::ranges::find(perhaps, iri) == perhaps.end()) classes.push_back(iri);
     }
     annotation.all_classes = local_names(classes);
     annotation.classes = local_names(domain.most_specific(classes));
@@ -393,7 +365,7 @@ Annotation annotate(const Domain& domain, const Catalogue& catalogue, const Obje
     for (const auto& [a, b] : knowledge.connected) annotation.connected.emplace_back(a + 1, b + 1);
     if (options.diagnose) annotation.diagnosis = diagnose(session, known);
     annotation.consistent = !known.contradiction && known.diagnoses.empty() && annotation.diagnosis.empty();
-    annotation.open_questions = open_questions(session, namings, known);
+    annotation.open_questions = open_questions(session, knowledge, namings, known, assumed, perhaps);
     if (!session.trace.empty() && !annotation.classes.empty())
         session.trace.back().inferred.push_back("the object is " +
                                                 fmt::format("{}", fmt::join(annotation.classes, ", ")));

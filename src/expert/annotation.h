@@ -70,11 +70,12 @@ struct Annotation {
     std::int64_t mesh_faces = 0;          ///< input faces
     std::vector<std::string> mesh_notes;  ///< what cleaning found
     std::string ontology_iri, ontology_file, ontology_sha256;
-    std::string up, unit;  ///< as used: "z", "m"; unit "unknown" when not known
+    std::string up, unit;                           ///< as used: "z", "m"; unit "unknown" when not known
     double up_confidence = 1, unit_confidence = 1;  ///< [0, 1]; 1 when the user told it
     std::string strategy;
     std::vector<std::string> classes;      ///< most specific object classes, incompatible ones included
     std::vector<std::string> all_classes;  ///< every class that holds
+    std::vector<std::string> perhaps;      ///< incompatible concepts that hold if the assumed names of parts are right
     bool consistent = true;
     double score = 0;
     std::vector<AnnotatedPart> parts;

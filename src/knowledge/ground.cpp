@@ -213,6 +213,11 @@ ConfigurationSet Grounder::values(const ClassExpression& expression, std::size_t
             return result;
         }
     }
+    for (const Axiom& told : ontology_.axioms)  // a range concept but for one tick
+        if (told.kind == AxiomKind::object_property_range && !told.properties[0].inverse &&
+            told.classes[0]->kind == ClassKind::named && told.classes[0]->iri == iri)
+            refuse(told, "no functional property has the range " + owl::local_name(iri),
+                   "tick Functional on " + owl::local_name(told.properties[0].iri));
     refuse(axiom, owl::local_name(iri) + " is no value of " + owl::local_name(concept_range.iri),
            "list it in the disjoint union of " + owl::local_name(concept_range.iri) +
                ", or define it as a combination of its values");

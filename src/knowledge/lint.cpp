@@ -14,6 +14,7 @@
 #include "knowledge/assembly.h"
 #include "knowledge/causes.h"
 #include "knowledge/concept_relations.h"
+#include "knowledge/lint_gaps.h"
 #include "knowledge/plain.h"
 #include "knowledge/theory.h"
 #include "owl/signature.h"
@@ -243,6 +244,10 @@ private:
             if (range.values.empty())
                 add(FindingKind::unused, true, {range.iri}, place_of(range.iri), name + " has no values",
                     "put classes below it");
+            if (const std::string gap = is_core(range.iri) ? "" : gap_between_values(range); !gap.empty())
+                add(FindingKind::gap, false, {range.iri}, place_of(range.iri),
+                    gap + ", so a part there gets the one that is left when the others are denied",
+                    "let their memberships meet");
             std::vector<Iri> unused, unanswered;
             std::vector<std::size_t> users;
             for (std::size_t v = 0; v < range.values.size(); ++v) {
@@ -449,7 +454,8 @@ private:
 std::string to_text(FindingKind kind) {
     static const char* const words[]{"refused",           "contradiction", "unsatisfiable", "unprovable",
                                      "indistinguishable", "unanswerable",  "unknown term",  "left aside",
-                                     "universal",         "unused",        "uncounted",     "overlapping"};
+                                     "universal",         "gap",           "unused",        "uncounted",
+                                     "overlapping"};
     return words[static_cast<std::size_t>(kind)];
 }
 

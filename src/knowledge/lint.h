@@ -18,6 +18,7 @@ enum class FindingKind {
     unknown_term,       ///< a term of the core ontology that there is not
     left_aside,         ///< a class of neither regions nor objects
     universal,          ///< every region, or every object, is a member of a concept
+    gap,                ///< a measurement that no value of a covered range fits
     unused,             ///< no axiom asks for a concept, a value or a property
     uncounted,          ///< the configurations of a layer are too many to count
     overlapping,        ///< something may be a member of several concepts

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <charconv>
 
+#include "base/spelling.h"
+
 namespace partonomy::knowledge {
 namespace {
 
@@ -12,26 +14,38 @@ std::string part_words(const Variable& variable) {
     return std::to_string(variable.threshold) + " " + (simple ? name : "(" + name + ")");
 }
 
+/// "a Seat", "a Block or Disc", "a Stick" for hasShape some Stick; empty for what is more involved.
+std::string whom_words(const owl::ClassExpression& part) {
+    if (part.kind == owl::ClassKind::named) return with_article(owl::local_name(part.iri));
+    if (part.kind == owl::ClassKind::some_values_from && !part.property.inverse &&
+        part.operands[0]->kind == owl::ClassKind::named && owl::local_name(part.property.iri).starts_with("has"))
+        return whom_words(*part.operands[0]);
+    if (part.kind != owl::ClassKind::union_of) return {};
+    std::string words;
+    for (const owl::ClassPointer& each : part.operands) {
+        const std::string one = whom_words(*each);
+        if (one.empty() || each->kind == owl::ClassKind::union_of) return {};
+        words += words.empty() ? one : " or " + one.substr(one.find(' ') + 1);
+    }
+    return words;
+}
+
 /// "is it above a Seat", or, of the region as a reference, "is it above this (asked of a Seat)", where the relation has
-/// a wording and one class is named; else the expression as written.
+/// a wording and the other side is named in a few words; else the expression as written.
 std::string relation_words(const Variable& variable, const Domain& domain) {
     const owl::ClassExpression& whole = *variable.part_class;
-    std::string question, part;
+    std::string question, whom;
     const bool of_target = domain.relational[static_cast<std::size_t>(variable.index)].of_target;
     const bool simple = whole.kind == owl::ClassKind::some_values_from && whole.operands[0]->operands.size() == 2;
     for (std::size_t i = 0; simple && i < 2; ++i) {
         const owl::ClassExpression& operand = *whole.operands[0]->operands[i];
         const bool is_other_side = of_target || owl::local_name(operand.property.iri) == "isTargetRegion";
-        if (operand.kind == owl::ClassKind::some_values_from && is_other_side &&
-            operand.operands[0]->kind == owl::ClassKind::named)
-            part = owl::local_name(operand.operands[0]->iri);
+        if (operand.kind == owl::ClassKind::some_values_from && is_other_side) whom = whom_words(*operand.operands[0]);
         for (const Relation& relation : domain.relations)
             if (operand.kind == owl::ClassKind::named && operand.iri == relation.iri) question = relation.question;
     }
-    if (question.empty() || part.empty() || whole.operands[0]->kind != owl::ClassKind::intersection_of)
+    if (question.empty() || whom.empty() || whole.operands[0]->kind != owl::ClassKind::intersection_of)
         return "is it so: " + to_manchester(whole);
-    const bool vowel = std::string("aeiouAEIOU").find(part[0]) != std::string::npos;
-    const std::string whom = (vowel ? "an " : "a ") + part;
     return of_target ? question + " " + whom : question + " this (asked of " + whom + ")";
 }
 

@@ -93,9 +93,21 @@ std::string Declarations::suggestion(const Iri& iri, EntityKind kind) const {
     if (name.empty() || name.size() > 100) return {};
     std::size_t best = name.size() / 3 + 1;
     std::string nearest;
+    // Of a property that is not declared, nothing but a guess tells whether it leads to numbers.
+    const bool is_property = kind == EntityKind::object_property || kind == EntityKind::data_property;
+    unsigned wanted = 1U << static_cast<unsigned>(kind);
+    if (is_property)
+        wanted = 1U << static_cast<unsigned>(EntityKind::object_property) |
+                 1U << static_cast<unsigned>(EntityKind::data_property);
     for (const auto& [candidate, kinds] : kinds_) {
-        if ((kinds >> static_cast<unsigned>(kind) & 1U) == 0 || candidate == iri) continue;
+        if ((kinds & wanted) == 0 || candidate == iri) continue;
         const std::string other = local_name(candidate);
+        constexpr std::size_t telling = 5;  // letters: a name that was cut short, or grew
+        if (std::min(name.size(), other.size()) >= telling && best > 1 && other != name &&
+            (other.starts_with(name) || name.starts_with(other))) {
+            best = 1;
+            nearest = other;
+        }
         const std::size_t apart = other.size() > name.size() ? other.size() - name.size() : name.size() - other.size();
         if (apart >= best || other.size() > 150) continue;
         const std::size_t distance = edit_distance(name, other);

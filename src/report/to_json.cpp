@@ -117,6 +117,7 @@ std::string to_json(const Annotation& annotation) {
         .member("consistent", annotation.consistent)
         .member("score", annotation.score)
         .member("all_classes", annotation.all_classes)
+        .member("perhaps", annotation.perhaps)
         .end();
     write_parts(json, annotation);
     write_questions(json, annotation);

@@ -39,6 +39,76 @@ TEST(Check, FurnitureIsFine) {
     for (const json& finding : report.at("findings")) EXPECT_EQ(finding.at("severity"), "remark") << finding;
 }
 
+std::string check_slimness(const std::string& characteristics, const std::string& measure, const std::string& from) {
+    const TemporaryFolder folder;
+    folder.write("o.omn",
+                 "Prefix: : <urn:s#>\nPrefix: core: <https://w3id.org/partonomy/core#>\nOntology: <urn:s>\n"
+                 "Import: <https://w3id.org/partonomy/core>\n"
+                 "Class: :S SubClassOf: core:Feature DisjointUnionOf: :Slender, :Stocky\n"
+                 "Class: :Slender SubClassOf: :S Annotations: core:measure \"" +
+                     measure + "\", core:membership \"" + from +
+                     " inf inf\"\n"
+                     "Class: :Stocky SubClassOf: :S Annotations: core:measure \"l0/l2\", core:membership \"-inf -inf 5 "
+                     "7\"\n"
+                     "ObjectProperty: :hasS\n" +
+                     characteristics +
+                     "Range: :S\n"
+                     "Class: :Handle SubClassOf: core:Region EquivalentTo: core:Region and (:hasS some :Slender)\n"
+                     "Class: :Head SubClassOf: core:Region EquivalentTo: core:Region and (:hasS some :Stocky) and "
+                     "(core:hasShape some core:Board)\n"
+                     "Class: :Hammer SubClassOf: core:Object EquivalentTo: core:Object and (core:hasPart some :Handle) "
+                     "and (core:hasPart some :Head)\n");
+    return run_partonomy({"check", "o.omn"}, folder.path()).out;
+}
+
+TEST(Check, AForgottenTickAWrongMeasureAndAGap) {
+    const std::string functional = "Characteristics: Functional\n";
+    const std::string fine = check_slimness(functional, "l0/l2", "5 7");
+    EXPECT_NE(fine.find("nothing wrong found"), std::string::npos) << fine;
+    EXPECT_EQ(fine.find("neither"), std::string::npos) << fine;
+    const std::string unticked = check_slimness("", "l0/l2", "5 7");
+    EXPECT_NE(unticked.find("no functional property has the range S; tick Functional on hasS"), std::string::npos)
+        << unticked;
+    EXPECT_NE(unticked.find("1 thing is wrong"), std::string::npos) << unticked;
+    const std::string misnamed = check_slimness(functional, "l0/lx", "5 7");
+    EXPECT_NE(misnamed.find("there is no measure \"lx\""), std::string::npos) << misnamed;
+    EXPECT_NE(misnamed.find("1 thing is wrong"), std::string::npos) << misnamed;
+    const std::string gap = check_slimness(functional, "l0/l2", "12 13");
+    EXPECT_NE(gap.find("between 6 and 12.5 of l0/l2 neither Slender nor Stocky fits"), std::string::npos) << gap;
+    EXPECT_NE(gap.find("nothing wrong found"), std::string::npos) << gap;
+}
+
+TEST(Check, MisspeltPropertiesGetTheNearestName) {
+    const std::map<std::string, std::string> nearest{{"core:heigth some xsd:double[>= 1.0]", "height"},
+                                                     {":heigth some xsd:double[>= 1.0]", "height"},
+                                                     {"core:hasCompact some core:Compact", "hasCompactness"}};
+    for (const auto& [wrong, right] : nearest) {
+        const TemporaryFolder folder;
+        folder.write("o.omn",
+                     "Prefix: : <urn:s#>\nPrefix: core: <https://w3id.org/partonomy/core#>\n"
+                     "Prefix: xsd: <http://www.w3.org/2001/XMLSchema#>\nOntology: <urn:s>\n"
+                     "Import: <https://w3id.org/partonomy/core>\n"
+                     "Class: :Handle SubClassOf: core:Region EquivalentTo: core:Region and (" +
+                         wrong + ")\n");
+        const ProgramResult result = run_partonomy({"check", "o.omn"}, folder.path());
+        EXPECT_EQ(result.exit_code, 1);
+        EXPECT_NE(result.err.find("did you mean " + right + "?"), std::string::npos) << result.err;
+    }
+}
+
+TEST(Annotate, AForgottenUnitIsDoubted) {
+    const TemporaryFolder folder;
+    TriangleMesh mesh = paper_objects().front().mesh;
+    for (Vec3& p : mesh.positions) p *= 1000;  // millimetres
+    folder.write("bench.off", to_off(mesh));
+    const std::vector<std::string> command{"annotate", "bench.off", "--ontology", furniture_path(), "-o", "out"};
+    const ProgramResult doubted = run_partonomy(command, folder.path());
+    EXPECT_NE(doubted.err.find("m long, since no --unit was told"), std::string::npos) << doubted.err;
+    std::vector<std::string> told = command;
+    told.insert(told.end(), {"--unit", "mm"});
+    EXPECT_EQ(run_partonomy(told, folder.path()).err.find("--unit"), std::string::npos);
+}
+
 TEST(Check, NamesWhatIsWrong) {
     const TemporaryFolder folder;
     folder.write(

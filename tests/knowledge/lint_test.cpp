@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <set>
 
 #include "base/errors.h"
+#include "knowledge/lint_gaps.h"
 #include "mini.h"
 
 using namespace partonomy;
@@ -50,6 +52,23 @@ mini::Ontology faulty() {
         .same("Chair", both({some("hasPart", "Seat"), some("hasPart", "Top")}))                     // 17
         .same("Table", both({some("hasPart", "A"), some("hasPart", "B"), some("hasPart", "Upright")}));
     return ontology;
+}
+
+TEST(Lint, AGapBetweenMembershipsIsARemark) {
+    constexpr double inf = std::numeric_limits<double>::infinity();
+    const auto value = [](const char* name, double a1, double a2, double a3, double a4) {
+        return ElementaryConcept{mini::iri(name), {{"l0/l2", a1, a2, a3, a4}}, {}, {}};
+    };
+    RangeConcept range{mini::iri("S"), mini::iri("hasS"), {}, true};
+    range.values = {value("Slender", 12, 13, inf, inf), value("Stocky", -inf, -inf, 5, 7)};
+    EXPECT_EQ(gap_between_values(range), "between 6 and 12.5 of l0/l2 neither Slender nor Stocky fits");
+    RangeConcept closed = range;
+    closed.values.push_back(value("Middling", 5, 7, 12, 13));
+    EXPECT_EQ(gap_between_values(closed), "");
+    closed.values[2].criteria.clear();  // known by exclusion
+    EXPECT_EQ(gap_between_values(closed), "");
+    range.covered = false;  // another value is left for it
+    EXPECT_EQ(gap_between_values(range), "");
 }
 
 }  // namespace
