@@ -48,7 +48,8 @@ double object_length(const Object& object) {
 }
 
 double object_area(const Object& object) {
-    return std::accumulate(object.geometry.areas.begin(), object.geometry.areas.end(), 0.0);
+    if (!object.area) object.area = std::accumulate(object.geometry.areas.begin(), object.geometry.areas.end(), 0.0);
+    return *object.area;
 }
 
 std::vector<Measure> built_in_measures() {

@@ -50,14 +50,15 @@ struct Object {
     TriangleMesh mesh;
     TriangleGeometry geometry;
     Placement placement;
-    double low = 0, high = 0;             ///< extent along up, in file units
-    double footprint = 0;                 ///< area of its shadow on the ground, without notches; squared file units
-    bool is_scene = false;                ///< cut as a scene (FindPartsOptions), as knowledge::Domain says
-    std::vector<PartRegion> candidates;   ///< box-like regions of find_parts: what every `find all` chooses from
-    bool is_noisy = false;                ///< whether finding them met noise: boxes end at walls, not at points
-    StageTimes times;                     ///< of finding them
-    std::shared_ptr<const RayTree> tree;  ///< of the mesh
+    double low = 0, high = 0;              ///< extent along up, in file units
+    double footprint = 0;                  ///< area of its shadow on the ground, without notches; squared file units
+    bool is_scene = false;                 ///< cut as a scene (FindPartsOptions), as knowledge::Domain says
+    std::vector<PartRegion> candidates;    ///< box-like regions of find_parts: what every `find all` chooses from
+    bool is_noisy = false;                 ///< whether finding them met noise: boxes end at walls, not at points
+    StageTimes times;                      ///< of finding them
+    std::shared_ptr<const RayTree> tree;   ///< of the mesh
     mutable std::optional<double> length;  ///< of the smallest box around all of it, once a question needed it
+    mutable std::optional<double> area;    ///< of its surface, the same
     mutable std::shared_ptr<const CalmSurface> calm;  ///< once a question needed it: calm_surface
     std::shared_ptr<const Appearance> appearance;     ///< null: no colours, or nothing asks for them; see paint
 };

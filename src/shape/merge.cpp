@@ -106,12 +106,14 @@ bool is_sawn(const Border& border, const Lie& a, const Lie& b, double thickness)
     return along_a * along_b < 0 && std::min(std::abs(along_a), std::abs(along_b)) > straight;
 }
 
+constexpr double noise_of_thickness = 1.5;  // ratio of thicknesses that noise alone makes
+
 /// Whether a piece of a stick lies where the line of a longer one goes on, and their sections meet: all of them where
 /// the two are not alike in thickness.
 bool goes_on(const Border& border, const Lie& piece, const Lie& stick, double thin, double thick) {
-    constexpr double beside = 0.35, across = 0.7, alike = 1.5, least_section = 0.3, least_alike = 0.1;
+    constexpr double beside = 0.35, across = 0.7, least_section = 0.3, least_alike = 0.1;
     const Vec3 area = border.area();
-    const bool is_alike = thick < alike * thin;
+    const bool is_alike = thick < noise_of_thickness * thin;
     if (area.norm() < (is_alike ? least_alike * thin * thin : least_section * thick * thick)) return false;
     if (std::abs(area.dot(stick.axis)) < across * area.norm()) return false;
     const Vec3 way = piece.inside - stick.inside;
@@ -121,8 +123,8 @@ bool goes_on(const Border& border, const Lie& piece, const Lie& stick, double th
 /// Whether the ring between a thin piece and a thick one is the foot of something thin: the thick one ends there, or
 /// goes on beside it.
 bool is_step(const Border& border, double thin, double thick) {
-    constexpr double alike = 1.5, closed = 0.1, least_section = 0.4;
-    return thick > alike * thin && border.start_to_end.norm() < closed * border.length &&
+    constexpr double closed = 0.1, least_section = 0.4;
+    return thick > noise_of_thickness * thin && border.start_to_end.norm() < closed * border.length &&
            border.area().norm() < least_section * thick * thick;
 }
 

@@ -248,6 +248,20 @@ std::vector<bool> row_of(const Random& random, const std::vector<Individual>& re
     return row;
 }
 
+/// Regions of which each two touch or not, all of them known; `answer_about` each adds what was asked of it.
+template <class AnswerAbout>
+Knowledge random_mesh(std::mt19937& random, int regions, const AnswerAbout& answer_about) {
+    Knowledge knowledge;
+    knowledge.region_count = regions;
+    knowledge.complete = true;
+    for (int a = 0; a < regions; ++a) {
+        for (int b = 0; b < a; ++b)
+            if (random() % 2 == 0) knowledge.connected.emplace_back(b, a);
+        answer_about(a, knowledge.answers);
+    }
+    return knowledge;
+}
+
 }  // namespace
 
 TEST(CompositesRandom, ConclusionsAreWhatEveryChoiceShares) {
@@ -259,16 +273,11 @@ TEST(CompositesRandom, ConclusionsAreWhatEveryChoiceShares) {
         if (seed % 4 == 0) options.listing_limit = 0;  // regions compiled to a diagram
         const Domain domain = compile(ontology.ontology.result, options);
         std::mt19937 random(seed + 100000);
-        Knowledge knowledge;
-        knowledge.region_count = static_cast<int>(random() % 5);
-        knowledge.complete = true;
-        for (int a = 0; a < knowledge.region_count; ++a) {
-            for (int b = 0; b < a; ++b)
-                if (random() % 2 == 0) knowledge.connected.emplace_back(b, a);
+        const int regions = static_cast<int>(random() % 5);
+        const Knowledge knowledge = random_mesh(random, regions, [&](int a, std::vector<Answer>& answers) {
             for (int n = 0; n < 2; ++n)
-                if (random() % 3 != 0)
-                    knowledge.answers.push_back({a, {0, static_cast<int>(random() % 3)}, random() % 2 == 0});
-        }
+                if (random() % 3 != 0) answers.push_back({a, {0, static_cast<int>(random() % 3)}, random() % 2 == 0});
+        });
         const auto fits = [&](std::size_t r, const std::string& value) {
             return std::ranges::all_of(knowledge.answers, [&](const Answer& answer) {
                 return answer.region != static_cast<int>(r) ||
@@ -320,15 +329,10 @@ TEST(CompositesRandom, TheClosedWorldSaysTheSame) {
         const Random ontology(seed);
         const Domain domain = compile(ontology.ontology.result);
         std::mt19937 random(seed + 100000);
-        Knowledge knowledge;
-        knowledge.region_count = 1 + static_cast<int>(random() % 4);
-        knowledge.complete = true;
-        for (int a = 0; a < knowledge.region_count; ++a) {
-            for (int b = 0; b < a; ++b)
-                if (random() % 2 == 0) knowledge.connected.emplace_back(b, a);
-            if (random() % 8 != 0)
-                knowledge.answers.push_back({a, {0, static_cast<int>(random() % 3)}, random() % 4 != 0});
-        }
+        const int regions = 1 + static_cast<int>(random() % 4);
+        const Knowledge knowledge = random_mesh(random, regions, [&](int a, std::vector<Answer>& answers) {
+            if (random() % 8 != 0) answers.push_back({a, {0, static_cast<int>(random() % 3)}, random() % 4 != 0});
+        });
         const Conclusions spaces = conclude(domain, knowledge);
         const auto certain = composites_for_world(domain, knowledge);
         if (!certain) continue;
@@ -388,14 +392,10 @@ TEST(CompositesRandom, AllExplanationsHoldTheSingleOnes) {
         const Random ontology(seed);
         const Domain domain = compile(ontology.ontology.result);
         std::mt19937 random(seed + 100000);
-        Knowledge knowledge;
-        knowledge.region_count = 1 + static_cast<int>(random() % 4);
-        knowledge.complete = true;
-        for (int a = 0; a < knowledge.region_count; ++a) {
-            for (int b = 0; b < a; ++b)
-                if (random() % 2 == 0) knowledge.connected.emplace_back(b, a);
-            knowledge.answers.push_back({a, {0, static_cast<int>(random() % 3)}, true});
-        }
+        const int regions = 1 + static_cast<int>(random() % 4);
+        const Knowledge knowledge = random_mesh(random, regions, [&](int a, std::vector<Answer>& answers) {
+            answers.push_back({a, {0, static_cast<int>(random() % 3)}, true});
+        });
         const Conclusions known = conclude(domain, knowledge);
         if (known.contradiction) continue;
         std::multiset<Iri> goals;
