@@ -273,8 +273,8 @@ TEST(CompositesRandom, ConclusionsAreWhatEveryChoiceShares) {
         if (seed % 4 == 0) options.listing_limit = 0;  // regions compiled to a diagram
         const Domain domain = compile(ontology.ontology.result, options);
         std::mt19937 random(seed + 100000);
-        const int regions = static_cast<int>(random() % 5);
-        const Knowledge knowledge = random_mesh(random, regions, [&](int a, std::vector<Answer>& answers) {
+        const int region_count = static_cast<int>(random() % 5);
+        const Knowledge knowledge = random_mesh(random, region_count, [&](int a, std::vector<Answer>& answers) {
             for (int n = 0; n < 2; ++n)
                 if (random() % 3 != 0) answers.push_back({a, {0, static_cast<int>(random() % 3)}, random() % 2 == 0});
         });
