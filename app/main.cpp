@@ -23,7 +23,10 @@ void OntologyArguments::add_to(CLI::App& command, bool positional) {
     command.add_option("--plugin", plugins, "shared library with one more measurement (repeatable)");
     command.add_option("--diagram-nodes", limits.node_limit, "nodes that a diagram of configurations may have")
         ->capture_default_str();
-    command.add_option("--diagram-seconds", limits.seconds_limit, "time that making a diagram may take")
+    command
+        .add_option("--diagram-steps", limits.step_limit, "million steps that making a diagram may take, 50 a second")
+        ->capture_default_str();
+    command.add_option("--diagram-seconds", limits.seconds_limit, "time that making a diagram may take; 0: no limit")
         ->capture_default_str();
     command.add_option("--diagram-mb", diagram_mb, "memory that a diagram may take")->capture_default_str();
 }

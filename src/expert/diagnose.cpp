@@ -23,7 +23,8 @@ using knowledge::Knowledge;
 using owl::Iri;
 
 constexpr std::size_t most_corrections = 8;  // that are listed for one diagnosis
-constexpr double most_seconds = 0.5;  // for the corrections of one diagnosis; objects of many parts have a great many
+// For the corrections of one diagnosis, about 0.5 s; objects of many parts have a great many.
+constexpr std::uint64_t most_steps = 700'000;
 constexpr int most_parts_explained = 500;  // beyond, a minimal explanation takes longer than all the rest
 
 const Iri incompatible = std::string(owl::core_prefix) + "Incompatible";
@@ -83,7 +84,7 @@ private:
     void correct(const Iri& iri, int region, Diagnosis& diagnosis) const {
         knowledge::ExplanationOptions options;
         options.limit = most_corrections;
-        options.seconds = most_seconds;
+        options.steps = most_steps;
         std::vector<knowledge::Correction> ranked = corrections(domain_, knowledge_, iri, costs_, region, options);
         const auto is_innocent = [&](const knowledge::Correction& correction) {
             return std::ranges::none_of(correction.answers, [&](std::size_t i) {

@@ -26,8 +26,10 @@ class SampledModels;
 struct DiagramOptions {
     std::size_t node_limit = 2'000'000;
     std::size_t memory_limit = std::size_t{1} << 30;  ///< bytes
-    double seconds_limit =
-        60;  ///< a twentieth of it where rules tie so many variables together that success is unlikely
+    /// Of the search: clauses and variables looked at, in millions, about 60 s. A twentieth of it where rules tie so
+    /// many variables together that success is unlikely.
+    double step_limit = 3000;
+    double seconds_limit = 0;  ///< 0: none. Whether it is reached hangs on the machine
 };
 
 /// A literal that counts for more or less than 1, say an answer that is likely but not sure.

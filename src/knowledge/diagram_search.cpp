@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <sstream>
 
 #include "base/errors.h"
 #include "knowledge/diagram_nodes.h"
@@ -271,6 +272,7 @@ private:
         if (fine && propagate()) {
             std::vector<Component> pieces;
             std::vector<int> free, children;
+            steps_ += component.variables.size() + component.clauses.size();
             split(component, pieces, free);
             for (const Component& piece : pieces) {
                 children.push_back(solve(piece));
@@ -290,17 +292,26 @@ private:
     }
 
     void check_limits() {
-        if (++steps_ % 256 != 0 && result_->nodes.size() <= options_.node_limit) return;
         if (result_->nodes.size() > options_.node_limit)
             give_up("has more than " + std::to_string(options_.node_limit) + " nodes");
+        const double million_steps = static_cast<double>(steps_) / 1e6;
+        if (million_steps > options_.step_limit / (order_.is_hopeless ? hopeless_share : 1))
+            give_up((order_.is_hopeless ? "would take far more than " : "takes more than ") +
+                    in_words(options_.step_limit) + " million steps to make");
+        if (++checks_ % 256 != 0) return;
         const std::size_t bytes =
             cache_.bytes() + 4 * result_->pool.capacity() + sizeof(DiagramBranch) * 2 * result_->nodes.capacity();
         if (bytes > options_.memory_limit)
             give_up("takes more than " + std::to_string(options_.memory_limit >> 20) + " MB");
+        if (options_.seconds_limit <= 0) return;
         const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-        if (seconds > options_.seconds_limit / (order_.is_hopeless ? hopeless_share : 1))
-            give_up((order_.is_hopeless ? "would take far longer than " : "takes longer than ") +
-                    std::to_string(static_cast<long>(options_.seconds_limit)) + " s to make");
+        if (seconds > options_.seconds_limit)
+            give_up("takes longer than " + in_words(options_.seconds_limit) + " s to make");
+    }
+    static std::string in_words(double number) {
+        std::ostringstream out;
+        out << number;
+        return out.str();
     }
 
     [[noreturn]] void give_up(const std::string& why) const {
@@ -320,7 +331,7 @@ private:
     std::vector<int> trail_;
     std::size_t head_ = 0;
     std::vector<std::uint64_t> variable_labels_, clause_labels_;  // which piece, when last split
-    std::uint64_t next_label_ = 1, steps_ = 0;
+    std::uint64_t next_label_ = 1, steps_ = 0, checks_ = 0;
     std::vector<int> queue_;
     Cache cache_;
     int depth_ = 0;

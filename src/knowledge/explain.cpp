@@ -1,7 +1,10 @@
 #include "knowledge/explain.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <map>
+#include <memory>
 #include <set>
 #include <stdexcept>
 
@@ -16,8 +19,9 @@
 // consistent knowledge entailment only shrinks when things are taken away, hence what remains is minimal. Answers come
 // first: with all axioms, whether the rest still suffices is told from what the goal counts, in microseconds
 // (object_test.h). Each test of an axiom looks at the cone of the goal only, the concepts and features that the axioms
-// still kept lead to; a class whose defining axiom is gone is free to hold or not. A solver with selectors
-// (reasons.cpp) would do the same with more work: a call of it takes longer than counting over a listed space.
+// still kept lead to; a class whose defining axiom is gone is free to hold or not. That makes many kinds of parts, so
+// of an object one is looked for that is no such thing; where the kinds are too many to be tried, a solver with a
+// selector for each axiom looks for it (reasons.cpp). In small spaces it would take longer than trying.
 //
 // Corrections by best-first search: sets of answers by ascending cost, each turned round and concluded from, those left
 // out that contain one found before. When that takes too many tries, or when the space is compiled, both are questions
@@ -26,61 +30,93 @@
 namespace partonomy::knowledge {
 namespace {
 
+constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
+
+/// Whether the goal follows from some of the axioms.
 class Oracle {
 public:
     Oracle(const Domain& domain, const Knowledge& knowledge, int goal)
         : theory_(domain.grounding->theory), domain_(domain), knowledge_(knowledge), goal_(goal) {}
 
-    /// Whether the goal (a contradiction for -1) follows from the kept axioms and answers.
-    [[nodiscard]] bool follows(const std::vector<char>& axioms, const std::vector<char>& answers, bool complete) const {
-        const std::size_t limit = std::numeric_limits<std::size_t>::max();
+    /// Whether the goal (a contradiction for -1) follows from the kept axioms and answers; the answers and `complete`
+    /// are the same each time.
+    [[nodiscard]] bool follows(const std::vector<char>& axioms, const std::vector<char>& answers, bool complete) {
+        if (by_solver_) return by_solver_->follows(axioms);
         const Scope scope = cone(theory_, goal_, axioms, goal_ < 0);
         const Layer regions = build_regions(theory_, scope, domain_.grounding->options);
-        std::vector<ConfigurationSet> sets(static_cast<std::size_t>(knowledge_.region_count), regions.space.all());
-        for (std::size_t i = 0; i < answers.size(); ++i) {
-            const Answer& answer = knowledge_.answers[i];
-            const int variable = answers[i] ? variable_in(regions, answer.question.variable) : -1;
-            if (variable < 0) continue;
-            const ConfigurationSet yes = yes_set(regions.space, {variable, answer.question.value});
-            if (answer.yes)
-                sets[answer.region] &= yes;
-            else
-                sets[answer.region] -= yes;
-        }
-        const bool broken = std::ranges::any_of(sets, [](const auto& set) { return set.is_empty(); });
+        const Told told = tell(regions, answers);
+        const bool broken = std::ranges::any_of(told.sets, [](const auto& set) { return set.is_empty(); });
         if (goal_ < 0 && broken) return true;
         if (goal_ >= 0 && theory_.concepts[goal_].level == Level::region)
-            return std::ranges::any_of(
-                sets, [&](const auto& set) { return !set.is_empty() && set.is_subset_of(regions.concepts[goal_]); });
-        const Assembly assembly = assemble(theory_, scope, regions, limit);
-        const Parts& parts = assembly.parts;
-        std::vector<Counts> counts;
-        if (assembly.has_composites()) {
-            std::optional<Assembled> assembled;
-            if (complete)
-                assembled = put_together(theory_, assembly, *find_contributions(assembly, regions.space.all()), sets,
-                                         knowledge_.connected);
-            if (goal_ >= 0 && theory_.concepts[goal_].level == Level::composite)
-                return assembled && std::ranges::any_of(assembled->composites, [&](const CompositePart& composite) {
-                           const Layer& layer =
-                               assembly.composites[static_cast<std::size_t>(composite.group)].objects.layer;
-                           return !composite.possible.is_empty() &&
-                                  composite.possible.is_subset_of(layer.concepts[goal_]);
-                       });
-            counts = assembled ? std::move(assembled->counts)
-                               : with_any_composites(
-                                     parts, possible_counts(theory_, assembly, regions.space.all(), false, limit),
-                                     reachable_counts(parts, sets), !complete);
-        } else {
-            counts = reachable_counts(parts, sets);
-            if (!complete) counts = with_any_more(parts, counts, types_within(parts, regions.space.all()), limit);
+            return std::ranges::any_of(told.sets, [&](const auto& set) {
+                return !set.is_empty() && set.is_subset_of(regions.concepts[goal_]);
+            });
+        const Assembly assembly = assemble(theory_, scope, regions, no_limit);
+        if (assembly.has_composites()) return follows_with_composites(scope, regions, assembly, told, complete);
+        const std::vector<int> goals(goal_ < 0 ? 0 : 1, goal_);
+        const auto test = ObjectTest::within(theory_, scope, assembly.parts, goals);
+        if (!test) {
+            by_solver_ = std::make_unique<FromAxioms>(domain_, knowledge_, goal_, answers, complete);
+            return by_solver_->follows(axioms);
         }
-        const ObjectLayer objects = build_objects(theory_, scope, {}, parts, std::move(counts), limit);
-        const std::size_t size = objects.layer.space.size;
-        return goal_ < 0 ? size == 0 : size > 0 && objects.layer.concepts[goal_].count() == size;
+        std::vector<ObjectTest::Types> types_of_set, types;
+        for (const ConfigurationSet& set : told.sets) types_of_set.push_back(test->types_of(set));
+        for (const std::size_t set : told.set_of) types.push_back(types_of_set[set]);
+        const ObjectTest::Outcome outcome = test->ask(std::move(types), complete);
+        return goal_ < 0 ? !outcome.any : outcome.any && !outcome.other;
     }
 
 private:
+    /// What the answers that are kept leave of each region: mostly all that there is.
+    struct Told {
+        std::vector<ConfigurationSet> sets;
+        std::vector<std::size_t> set_of;  ///< by region
+    };
+    [[nodiscard]] Told tell(const Layer& regions, const std::vector<char>& answers) const {
+        std::vector<std::vector<std::array<int, 3>>> kept(static_cast<std::size_t>(knowledge_.region_count));
+        for (std::size_t i = 0; i < answers.size(); ++i) {
+            const Answer& answer = knowledge_.answers[i];
+            const int variable = answers[i] ? variable_in(regions, answer.question.variable) : -1;
+            if (variable >= 0) kept[answer.region].push_back({variable, answer.question.value, answer.yes ? 1 : 0});
+        }
+        Told told;
+        std::map<std::vector<std::array<int, 3>>, std::size_t> known;
+        for (const auto& each : kept) {
+            const auto [found, is_new] = known.try_emplace(each, told.sets.size());
+            told.set_of.push_back(found->second);
+            if (!is_new) continue;
+            ConfigurationSet& set = told.sets.emplace_back(regions.space.all());
+            for (const auto& [variable, value, yes] : each)
+                if (yes)
+                    set &= yes_set(regions.space, {variable, value});
+                else
+                    set -= yes_set(regions.space, {variable, value});
+        }
+        return told;
+    }
+    [[nodiscard]] bool follows_with_composites(const Scope& scope, const Layer& regions, const Assembly& assembly,
+                                               const Told& told, bool complete) const {
+        std::vector<ConfigurationSet> sets;
+        for (const std::size_t set : told.set_of) sets.push_back(told.sets[set]);
+        std::optional<Assembled> assembled;
+        if (complete)
+            assembled = put_together(theory_, assembly, *find_contributions(assembly, regions.space.all()), sets,
+                                     knowledge_.connected);
+        if (goal_ >= 0 && theory_.concepts[goal_].level == Level::composite)
+            return assembled && std::ranges::any_of(assembled->composites, [&](const CompositePart& composite) {
+                       const Layer& layer =
+                           assembly.composites[static_cast<std::size_t>(composite.group)].objects.layer;
+                       return !composite.possible.is_empty() && composite.possible.is_subset_of(layer.concepts[goal_]);
+                   });
+        std::vector<Counts> counts =
+            assembled ? std::move(assembled->counts)
+                      : with_any_composites(assembly.parts,
+                                            possible_counts(theory_, assembly, regions.space.all(), false, no_limit),
+                                            reachable_counts(assembly.parts, sets), !complete);
+        const ObjectLayer objects = build_objects(theory_, scope, {}, assembly.parts, std::move(counts), no_limit);
+        const std::size_t size = objects.layer.space.size;
+        return goal_ < 0 ? size == 0 : size > 0 && objects.layer.concepts[goal_].count() == size;
+    }
     /// The variable of the cone's layer that corresponds to one of the domain's.
     [[nodiscard]] int variable_in(const Layer& regions, VariableId variable) const {
         if (static_cast<std::size_t>(variable) < theory_.feature_count()) return regions.features[variable];
@@ -91,6 +127,7 @@ private:
     const Domain& domain_;
     const Knowledge& knowledge_;
     int goal_;
+    std::unique_ptr<FromAxioms> by_solver_;  ///< from when on there are too many kinds of parts; answers stay the same
 };
 
 /// Classes of parts whose presence the formula asks for, without looking into the concepts that it names.
@@ -312,7 +349,7 @@ Explanation explain(const Domain& domain, const Knowledge& knowledge, const Iri&
     if (complete) complete = !from.follows(answers, false);
     shrink(answers, places(answers), [&] { return from.follows(answers, complete); });
 
-    const Oracle oracle(domain, knowledge, goal);
+    Oracle oracle(domain, knowledge, goal);
     const auto still_follows = [&] { return oracle.follows(axioms, answers, complete); };
     axioms = defining_axioms(theory, goal, axioms.size());
     if (still_follows()) {

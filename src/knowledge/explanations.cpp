@@ -14,12 +14,11 @@
    "Smallest MUS extraction with minimal hitting set dualization", 2015). Found ones are forbidden, and the next
    lightest follows. Corrections are found the same way with the roles exchanged.
 
-   There may be exponentially many sets; limits on number and time stop the search and say so. */
+   There may be exponentially many sets; limits on number and work stop the search and say so. */
 
 #include "knowledge/explanations.h"
 
 #include <algorithm>
-#include <chrono>
 #include <stdexcept>
 #include <tuple>
 
@@ -30,8 +29,10 @@ namespace {
 
 class Conflicts {
 public:
-    Conflicts(Solver& solver, std::span<const Selector> selectors, double seconds)
-        : solver_(solver), selectors_(selectors), seconds_(seconds) {
+    /// nullptr: as many steps as it takes.
+    Conflicts(Solver& solver, std::span<const Selector> selectors, Steps* steps)
+        : solver_(solver), selectors_(selectors) {
+        solver_.take_from(steps);
         for (std::size_t i = 0; i < selectors.size(); ++i) {
             if (!(selectors[i].weight >= 0))
                 throw std::invalid_argument("explanations: the weight of a selector should not be negative");
@@ -39,6 +40,10 @@ public:
             all_.push_back(i);
         }
     }
+
+    ~Conflicts() { solver_.take_from(nullptr); }
+    Conflicts(const Conflicts&) = delete;
+    Conflicts& operator=(const Conflicts&) = delete;
 
     [[nodiscard]] bool has_conflict(const SelectorSet& set) {
         std::vector<int> assumptions;
@@ -85,9 +90,6 @@ public:
         for (const std::size_t i : set) weight += weights_[i];
         return {std::move(set), weight};
     }
-    [[nodiscard]] bool is_late() const {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count() > seconds_;
-    }
     [[nodiscard]] const SelectorSet& all() const { return all_; }
     [[nodiscard]] const std::vector<double>& weights() const { return weights_; }
 
@@ -101,10 +103,8 @@ private:
 
     Solver& solver_;
     std::span<const Selector> selectors_;
-    double seconds_;
     std::vector<double> weights_;
     SelectorSet all_;
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
 void rank(std::vector<RankedSet>& sets) {
@@ -117,20 +117,23 @@ void rank(std::vector<RankedSet>& sets) {
 /// Sets of one kind, the lightest first. `is_one` tells whether a guess contains one; `other_kind` makes a set of the
 /// other kind from a guess that does not: one that the guess fails to hit.
 template <typename IsOne, typename OtherKind>
-RankedSets lightest(Conflicts& conflicts, const ExplanationOptions& options, const IsOne& is_one,
+RankedSets lightest(Conflicts& conflicts, const ExplanationOptions& options, Steps& steps, const IsOne& is_one,
                     const OtherKind& other_kind) {
     RankedSets result;
     std::vector<SelectorSet> to_hit, found;
-    while (true) {
-        const std::optional<SelectorSet> guess = minimum_hitting_set(to_hit, found, conflicts.weights());
-        if (!guess) return result;
-        if (result.sets.size() >= options.limit || conflicts.is_late()) break;
-        if (is_one(*guess)) {
-            result.sets.push_back(conflicts.ranked(*guess));
-            found.push_back(*guess);
-        } else {
-            to_hit.push_back(other_kind(*guess));
+    try {
+        while (true) {
+            const std::optional<SelectorSet> guess = minimum_hitting_set(to_hit, found, conflicts.weights(), &steps);
+            if (!guess) return result;
+            if (result.sets.size() >= options.limit) break;
+            if (is_one(*guess)) {
+                result.sets.push_back(conflicts.ranked(*guess));
+                found.push_back(*guess);
+            } else {
+                to_hit.push_back(other_kind(*guess));
+            }
         }
+    } catch (const OutOfSteps&) {  // what was found until then are the lightest
     }
     result.is_complete = false;
     return result;
@@ -139,30 +142,30 @@ RankedSets lightest(Conflicts& conflicts, const ExplanationOptions& options, con
 }  // namespace
 
 std::optional<SelectorSet> minimal_conflict(Solver& solver, std::span<const Selector> selectors) {
-    Conflicts conflicts(solver, selectors, 0);
+    Conflicts conflicts(solver, selectors, nullptr);
     if (!conflicts.has_conflict(conflicts.all())) return std::nullopt;
     return conflicts.shrink(conflicts.all());
 }
 
 ConflictsAndCorrections all_conflicts(Solver& solver, std::span<const Selector> selectors,
                                       const ExplanationOptions& options) {
-    Conflicts conflicts(solver, selectors, options.seconds);
+    Steps steps(options.steps);
+    Conflicts conflicts(solver, selectors, &steps);
     ConflictsAndCorrections result;
     Clauses map;
     for (std::size_t i = 0; i < selectors.size(); ++i) (void)map.add_variable();
     Solver map_solver(map);
+    map_solver.take_from(&steps);
     const auto settle = [&](const SelectorSet& set, int sign) {
         std::vector<int> clause;
         for (const std::size_t i : set) clause.push_back(sign * static_cast<int>(i + 1));
         map.add(clause);
         map_solver.add_new(map);
     };
-    while (map_solver.solve() == Verdict::satisfiable) {
+    const auto has_all = [&] {
+        if (map_solver.solve() == Verdict::unsatisfiable) return true;
         const std::size_t found = std::max(result.conflicts.sets.size(), result.corrections.sets.size());
-        if (found >= options.limit || conflicts.is_late()) {
-            result.conflicts.is_complete = result.corrections.is_complete = false;
-            break;
-        }
+        if (found >= options.limit) throw OutOfSteps();
         SelectorSet seed;
         for (std::size_t i = 0; i < selectors.size(); ++i)
             if (map_solver.value(static_cast<int>(i + 1))) seed.push_back(i);
@@ -175,6 +178,12 @@ ConflictsAndCorrections all_conflicts(Solver& solver, std::span<const Selector> 
             settle(correction, 1);
             result.corrections.sets.push_back(conflicts.ranked(correction));
         }
+        return false;
+    };
+    try {
+        while (!has_all()) continue;
+    } catch (const OutOfSteps&) {
+        result.conflicts.is_complete = result.corrections.is_complete = false;
     }
     rank(result.conflicts.sets);
     rank(result.corrections.sets);
@@ -182,17 +191,20 @@ ConflictsAndCorrections all_conflicts(Solver& solver, std::span<const Selector> 
 }
 
 RankedSets lightest_conflicts(Solver& solver, std::span<const Selector> selectors, const ExplanationOptions& options) {
-    Conflicts conflicts(solver, selectors, options.seconds);
+    Steps steps(options.steps);
+    Conflicts conflicts(solver, selectors, &steps);
     return lightest(
-        conflicts, options, [&](const SelectorSet& guess) { return conflicts.has_conflict(guess); },
+        conflicts, options, steps, [&](const SelectorSet& guess) { return conflicts.has_conflict(guess); },
         [&](const SelectorSet& guess) { return conflicts.correction_around(guess); });
 }
 
 RankedSets cheapest_corrections(Solver& solver, std::span<const Selector> selectors,
                                 const ExplanationOptions& options) {
-    Conflicts conflicts(solver, selectors, options.seconds);
+    Steps steps(options.steps);
+    Conflicts conflicts(solver, selectors, &steps);
     return lightest(
-        conflicts, options, [&](const SelectorSet& guess) { return !conflicts.has_conflict(conflicts.without(guess)); },
+        conflicts, options, steps,
+        [&](const SelectorSet& guess) { return !conflicts.has_conflict(conflicts.without(guess)); },
         [&](const SelectorSet& guess) { return conflicts.shrink(conflicts.without(guess)); });
 }
 

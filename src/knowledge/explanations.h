@@ -18,8 +18,8 @@ struct Selector {
 using SelectorSet = std::vector<std::size_t>;
 
 struct ExplanationOptions {
-    std::size_t limit = 100;  ///< sets to find
-    double seconds = 10;      ///< checked between calls of the solver
+    std::size_t limit = 100;           ///< sets to find
+    std::uint64_t steps = 10'000'000;  ///< of solver and search (steps.h): about ten seconds
 };
 
 struct RankedSet {

@@ -12,6 +12,8 @@ namespace {
 
 using Set = std::vector<std::size_t>;
 
+constexpr std::size_t elements_a_step = 1000;  // that are looked at
+
 struct Price {
     double weight = 0;
     std::size_t size = 0;
@@ -20,8 +22,12 @@ struct Price {
 
 class HittingSearch {
 public:
-    HittingSearch(const std::vector<Set>& sets, const std::vector<Set>& forbidden, const std::vector<double>& weights)
-        : sets_(sets), forbidden_(forbidden), weights_(weights), state_(weights.size(), State::open) {}
+    HittingSearch(const std::vector<Set>& sets, const std::vector<Set>& forbidden, const std::vector<double>& weights,
+                  Steps* steps)
+        : sets_(sets), forbidden_(forbidden), weights_(weights), steps_(steps), state_(weights.size(), State::open) {
+        for (const std::vector<Set>& all : {sets, forbidden})
+            for (const Set& set : all) elements_ += set.size();
+    }
 
     std::optional<Set> run() {
         search({});
@@ -36,6 +42,7 @@ private:
     }
 
     void search(const Price& price) {
+        if (steps_ != nullptr && !steps_->take(1 + (elements_ + state_.size()) / elements_a_step)) throw OutOfSteps();
         const bool is_forbidden = std::ranges::any_of(forbidden_, [&](const Set& set) {
             return std::ranges::all_of(set, [&](std::size_t e) { return state_[e] == State::chosen; });
         });
@@ -99,6 +106,8 @@ private:
 
     const std::vector<Set>&sets_, &forbidden_;
     const std::vector<double>& weights_;
+    Steps* steps_;
+    std::size_t elements_ = 0;  ///< of all sets
     std::vector<State> state_;
     std::optional<Set> best_;
     Price best_price_;
@@ -108,8 +117,8 @@ private:
 
 std::optional<std::vector<std::size_t>> minimum_hitting_set(const std::vector<std::vector<std::size_t>>& sets,
                                                             const std::vector<std::vector<std::size_t>>& forbidden,
-                                                            const std::vector<double>& weights) {
-    return HittingSearch(sets, forbidden, weights).run();
+                                                            const std::vector<double>& weights, Steps* steps) {
+    return HittingSearch(sets, forbidden, weights, steps).run();
 }
 
 }  // namespace partonomy::knowledge

@@ -19,6 +19,7 @@ namespace partonomy::knowledge {
 namespace {
 
 constexpr std::size_t most_types = 63;    // a bit for each
+constexpr unsigned most_free = 8;         // concepts without definition: each doubles what is to be judged
 constexpr Counts no_counts = ~Counts{0};  // no count is as high as that in all classes
 constexpr std::size_t slots_in_the_beginning = 256;
 constexpr int most_tries = 100;
@@ -100,30 +101,49 @@ Parts restricted(const Parts& whole, const std::vector<FormulaId>& formulas) {
 }  // namespace
 
 std::optional<ObjectTest> ObjectTest::about(const Domain& domain, std::span<const int> goals) {
-    if (domain.regions.diagram || domain.grounding->assembly.has_composites()) return std::nullopt;
-    Cone cone(domain.grounding->theory);
+    const Grounding& grounding = *domain.grounding;
+    if (domain.regions.diagram || grounding.assembly.has_composites()) return std::nullopt;
+    Cone cone(grounding.theory);
     for (const int goal : goals) cone.look_at_concept(goal);
-    for (const Constraint& constraint : domain.grounding->theory.constraints)
+    for (const Constraint& constraint : grounding.theory.constraints)
         if (constraint.level == Level::object) cone.look_at(constraint.formula);
     if (!cone.is_plain) return std::nullopt;
-    ObjectTest test(domain, goals);
-    Parts& parts = test.parts_;
-    parts = restricted(domain.grounding->assembly.parts, cone.atoms);
+    Parts parts = restricted(grounding.assembly.parts, cone.atoms);
     if (parts.types.size() > most_types) return std::nullopt;
-    for (const Parts::Type& type : parts.types) {
-        std::vector<Step>& steps = test.steps_.emplace_back();
+    return ObjectTest(grounding.theory, grounding.scope, std::move(parts), goals);
+}
+
+std::optional<ObjectTest> ObjectTest::within(const Theory& theory, const Scope& scope, Parts parts,
+                                             std::span<const int> goals) {
+    if (!parts.fits || parts.types.size() > most_types) return std::nullopt;
+    ObjectTest test(theory, scope, std::move(parts), goals);
+    for (std::size_t id = 0; id < theory.concepts.size(); ++id)
+        if (theory.concepts[id].level == Level::object && scope.concepts[id] && test.definitions_[id] < 0)
+            test.free_bits_[id] = test.free_count_++;
+    if (test.free_count_ > most_free) return std::nullopt;
+    return test;
+}
+
+ObjectTest::ObjectTest(const Theory& theory, const Scope& scope, Parts parts, std::span<const int> goals)
+    : theory_(&theory),
+      goals_(goals.begin(), goals.end()),
+      free_bits_(theory.concepts.size(), 0),
+      parts_(std::move(parts)),
+      slots_(slots_in_the_beginning, {no_counts}) {
+    for (const Constraint& constraint : theory.constraints)
+        if (constraint.level == Level::object && scope.axioms[constraint.axiom])
+            constraints_.push_back(constraint.formula);
+    for (const NamedConcept& named : theory.concepts)
+        definitions_.push_back(named.definition >= 0 && scope.axioms[named.axiom] ? named.definition : -1);
+    for (const Parts::Type& type : parts_.types) {
+        std::vector<Step>& steps = steps_.emplace_back();
         for (const std::size_t c : type.classes) {
-            const Parts::PartClass& part = parts.classes[c];
+            const Parts::PartClass& part = parts_.classes[c];
             const Counts mask = (Counts{1} << std::bit_width(part.cap)) - 1;
             steps.push_back({mask << part.shift, Counts{part.cap} << part.shift, Counts{1} << part.shift});
         }
     }
-    test.slots_.assign(slots_in_the_beginning, {no_counts});
-    return test;
 }
-
-ObjectTest::ObjectTest(const Domain& domain, std::span<const int> goals)
-    : theory_(&domain.grounding->theory), goals_(goals.begin(), goals.end()) {}
 
 ObjectTest::Types ObjectTest::types_of(const ConfigurationSet& region) const {
     Types types = 0;
@@ -134,7 +154,9 @@ ObjectTest::Types ObjectTest::types_of(const ConfigurationSet& region) const {
 }
 
 bool ObjectTest::is_member(int concept_id, Counts counts) const {
-    return holds(theory_->concepts[static_cast<std::size_t>(concept_id)].definition, counts);
+    const auto at = static_cast<std::size_t>(concept_id);
+    if (definitions_[at] < 0) return (free_ >> free_bits_[at] & 1U) != 0;
+    return holds(definitions_[at], counts);
 }
 
 bool ObjectTest::holds(FormulaId id, Counts counts) const {
@@ -163,16 +185,18 @@ bool ObjectTest::holds(FormulaId id, Counts counts) const {
 }
 
 bool ObjectTest::is_possible(Counts counts) const {
-    return std::ranges::all_of(theory_->constraints, [&](const Constraint& constraint) {
-        return constraint.level != Level::object || holds(constraint.formula, counts);
-    });
+    return std::ranges::all_of(constraints_, [&](FormulaId constraint) { return holds(constraint, counts); });
 }
 
 ObjectTest::Outcome ObjectTest::judge(Counts counts) const {
     Judgement& judged = slot_of(counts).judged;
     if (judged == Judgement::none) {
-        const bool is_goal = std::ranges::any_of(goals_, [&](int goal) { return is_member(goal, counts); });
-        judged = !is_possible(counts) ? Judgement::impossible : is_goal ? Judgement::goal : Judgement::other;
+        judged = Judgement::impossible;
+        for (free_ = 0; free_ < 1U << free_count_ && judged != Judgement::other; ++free_) {
+            if (!is_possible(counts)) continue;
+            const bool is_goal = std::ranges::any_of(goals_, [&](int goal) { return is_member(goal, counts); });
+            judged = is_goal ? Judgement::goal : Judgement::other;
+        }
     }
     return {judged != Judgement::impossible, judged == Judgement::other};
 }

@@ -23,6 +23,11 @@ public:
     /// About some concepts of objects (of the theory). nullopt where concepts without definition or composite parts
     /// come in, or too many types of parts: then only conclude() can tell. The domain must outlive it.
     [[nodiscard]] static std::optional<ObjectTest> about(const Domain& domain, std::span<const int> goals);
+    /// The same with those axioms only that the scope keeps; a concept of objects whose defining axiom is gone holds or
+    /// not. `parts`: what objects count then (find_parts). nullopt where that is too much; only for theories without
+    /// composite parts.
+    [[nodiscard]] static std::optional<ObjectTest> within(const Theory& theory, const Scope& scope, Parts parts,
+                                                          std::span<const int> goals);
 
     /// An empty set (a contradiction) tells nothing about its region.
     [[nodiscard]] Types types_of(const ConfigurationSet& region) const;
@@ -32,7 +37,7 @@ public:
     [[nodiscard]] bool is_below(int sub, int super) const;
 
 private:
-    ObjectTest(const Domain& domain, std::span<const int> goals);
+    ObjectTest(const Theory& theory, const Scope& scope, Parts parts, std::span<const int> goals);
     /// What one more part adds to the count of one class.
     struct Step {
         Counts mask, full, one;
@@ -61,6 +66,11 @@ private:
 
     const Theory* theory_;
     std::vector<int> goals_;
+    std::vector<FormulaId> constraints_;    ///< of objects
+    std::vector<FormulaId> definitions_;    ///< by concept; -1: free
+    std::vector<unsigned> free_bits_;       ///< by concept: its bit of `free_`
+    unsigned free_count_ = 0;               ///< concepts of objects that hold or not
+    mutable unsigned free_ = 0;             ///< which of them do, just now
     Parts parts_;                           ///< that the goals and the constraints count
     std::vector<std::vector<Step>> steps_;  ///< by type: what one more part adds
     mutable std::vector<Slot> slots_;       ///< a hash table

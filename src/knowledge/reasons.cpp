@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <stdexcept>
 
@@ -217,6 +218,47 @@ private:
 };
 
 }  // namespace
+
+struct FromAxioms::State {
+    State(const Domain& domain, const Knowledge& knowledge, int goal, const std::vector<char>& answers, bool complete)
+        : object(domain.grounding->theory) {
+        const Theory& theory = domain.grounding->theory;
+        std::vector<int> told;
+        for (int region = 0; region < knowledge.region_count; ++region) static_cast<void>(object.add_region());
+        if (!complete)
+            object.add_further_parts(parts_that_help(theory, goal < 0 ? std::vector<int>{} : std::vector{goal}));
+        object.require_constraints(Level::region);
+        object.require_constraints(Level::object);
+        if (goal >= 0) object.clauses.add({-object.object_concept(goal)});
+        for (std::size_t i = 0; i < answers.size(); ++i)
+            if (answers[i])
+                object.clauses.add({literal_of(domain, object, static_cast<std::size_t>(knowledge.answers[i].region),
+                                               knowledge.answers[i])});
+        for (const std::size_t axiom : object.axioms()) selectors.emplace_back(axiom, object.selector(axiom));
+        std::ranges::sort(selectors, {}, &std::pair<std::size_t, int>::second);
+        solver.emplace(object.clauses);
+    }
+    ObjectClauses object;
+    std::vector<std::pair<std::size_t, int>> selectors;  ///< axiom, literal
+    std::optional<Solver> solver;
+    std::optional<std::vector<int>> core;  ///< selectors that are known to suffice
+};
+
+FromAxioms::FromAxioms(const Domain& domain, const Knowledge& knowledge, int goal, const std::vector<char>& answers,
+                       bool complete)
+    : state_(std::make_unique<State>(domain, knowledge, goal, answers, complete)) {}
+
+FromAxioms::~FromAxioms() = default;
+
+bool FromAxioms::follows(const std::vector<char>& axioms) {
+    std::vector<int> kept;
+    for (const auto& [axiom, literal] : state_->selectors)
+        if (axioms[axiom]) kept.push_back(literal);
+    if (state_->core && std::ranges::includes(kept, *state_->core)) return true;
+    if (state_->solver->solve(kept) == Verdict::satisfiable) return false;
+    state_->core = state_->solver->core();
+    return true;
+}
 
 Explanation one_reason(const Domain& domain, const Knowledge& knowledge, const Iri& concept_iri, int region) {
     Goal goal = find_goal(domain, conclude(domain, knowledge), concept_iri, region);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+
 #include "knowledge/explain.h"
 #include "knowledge/theory.h"
 
@@ -19,5 +21,22 @@ namespace partonomy::knowledge {
 [[nodiscard]] std::vector<Correction> cheapest_changes(const Domain& domain, const Knowledge& knowledge,
                                                        const Iri& concept_iri, const std::vector<double>& costs,
                                                        int region, const ExplanationOptions& options);
+
+/// Whether a concept of objects (a contradiction for -1) follows from some answers and some of the axioms, asked again
+/// and again with fewer axioms. For theories without composite parts.
+class FromAxioms {
+public:
+    /// `answers`: which of the knowledge's; with them and all axioms nothing but the goal may contradict. Throws
+    /// OntologyError when there would be too many parts.
+    FromAxioms(const Domain& domain, const Knowledge& knowledge, int goal, const std::vector<char>& answers,
+               bool complete);
+    ~FromAxioms();
+    /// `axioms`: by axiom of the ontology.
+    [[nodiscard]] bool follows(const std::vector<char>& axioms);
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
 
 }  // namespace partonomy::knowledge

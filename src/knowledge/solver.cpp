@@ -14,17 +14,36 @@
 
 namespace partonomy::knowledge {
 
-struct Solver::Engine {
+namespace {
+
+// CaDiCaL asks whether to stop every ten decisions; what lies between takes the longer the larger the formula is. It
+// tells each conflict, which takes longer than a decision.
+constexpr std::uint64_t variables_a_step = 8000;
+constexpr std::uint64_t steps_a_conflict = 10;
+
+}  // namespace
+
+struct Solver::Engine : CaDiCaL::Terminator, CaDiCaL::Learner {
     CaDiCaL::Solver cadical;
     std::size_t clauses = 0;  ///< taken over so far
     int variables = 0;
     std::vector<int> assumptions;  ///< of the last solve
+    Steps* steps = nullptr;
 
     bool run(std::span<const int> literals) {
         assumptions.assign(literals.begin(), literals.end());
+        if (steps != nullptr && terminate()) throw OutOfSteps();
         for (const int literal : literals) cadical.assume(literal);
-        return cadical.solve() == 10;
+        const int verdict = cadical.solve();
+        if (verdict == 0) throw OutOfSteps();
+        return verdict == 10;
     }
+    bool learning(int) override {
+        static_cast<void>(steps->take(steps_a_conflict));
+        return false;
+    }
+    void learn(int) override {}
+    bool terminate() override { return !steps->take(1 + static_cast<std::uint64_t>(variables) / variables_a_step); }
 };
 
 Solver::Solver(const Clauses& clauses) : engine_(std::make_unique<Engine>()) {
@@ -43,6 +62,17 @@ void Solver::add_new(const Clauses& clauses) {
     }
     engine_->variables = clauses.variable_count();
     engine_->cadical.reserve(engine_->variables);
+}
+
+void Solver::take_from(Steps* steps) {
+    if (engine_->steps != nullptr) {
+        engine_->cadical.disconnect_terminator();
+        engine_->cadical.disconnect_learner();
+    }
+    engine_->steps = steps;
+    if (steps == nullptr) return;
+    engine_->cadical.connect_terminator(engine_.get());
+    engine_->cadical.connect_learner(engine_.get());
 }
 
 void Solver::require(std::span<const int> literals) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "knowledge/clauses.h"
+#include "knowledge/steps.h"
 
 namespace partonomy::knowledge {
 
@@ -27,7 +28,11 @@ public:
     /// From now on, tries these literals first where it has to guess.
     void prefer(std::span<const int> literals);
 
-    /// Whether the formula has a model in which all assumptions are true.
+    /// From now on, all that it is asked takes its steps from these, which must live as long; nullptr: no limit.
+    void take_from(Steps* steps);
+
+    /// Whether the formula has a model in which all assumptions are true. Throws OutOfSteps; what was learned until
+    /// then is kept.
     [[nodiscard]] Verdict solve(std::span<const int> assumptions = {});
     /// After `satisfiable`: whether the variable is true in the model found.
     [[nodiscard]] bool value(int variable) const;

@@ -108,22 +108,22 @@ TEST(Explanations, AreThoseOfEverySubsetTried) {
         EXPECT_TRUE(!one || conflicts.contains(*one));
         conflicting += one.has_value();
 
-        const ConflictsAndCorrections both = all_conflicts(solver, instance.selectors, {10'000, 60});
+        const ConflictsAndCorrections both = all_conflicts(solver, instance.selectors, {10'000});
         EXPECT_TRUE(both.conflicts.is_complete);
         EXPECT_EQ(sets_of(both.conflicts), conflicts);
         EXPECT_EQ(sets_of(both.corrections), corrections);
         EXPECT_TRUE(is_ascending(both.conflicts));
 
-        const RankedSets lightest = lightest_conflicts(solver, instance.selectors, {10'000, 60});
+        const RankedSets lightest = lightest_conflicts(solver, instance.selectors, {10'000});
         EXPECT_TRUE(lightest.is_complete);
         EXPECT_EQ(sets_of(lightest), conflicts);
         EXPECT_TRUE(is_ascending(lightest));
-        const RankedSets cheapest = cheapest_corrections(solver, instance.selectors, {10'000, 60});
+        const RankedSets cheapest = cheapest_corrections(solver, instance.selectors, {10'000});
         EXPECT_EQ(sets_of(cheapest), corrections);
         EXPECT_TRUE(is_ascending(cheapest));
 
         if (corrections.size() > 1) {
-            const RankedSets first = cheapest_corrections(solver, instance.selectors, {1, 60});
+            const RankedSets first = cheapest_corrections(solver, instance.selectors, {1});
             EXPECT_FALSE(first.is_complete);
             ASSERT_EQ(first.sets.size(), 1U);
             EXPECT_EQ(first.sets[0].set, cheapest.sets[0].set);
@@ -162,6 +162,45 @@ TEST(Explanations, TwoAnswersMayHaveToChangeTogether) {
     EXPECT_EQ(repairs.sets[0].set, (SelectorSet{0, 1}));
     EXPECT_NEAR(repairs.sets[0].weight, 0.5, 1e-12);
     EXPECT_EQ(repairs.sets[1].set, (SelectorSet{2}));
+}
+
+TEST(Explanations, EndAfterTheSameStepsEachTime) {
+    // Sixteen pigeons in holes for five of them, each pigeon a selector: far too many conflicts to list.
+    Clauses clauses;
+    std::vector<Selector> selectors;
+    std::vector<std::vector<int>> holes(5);
+    for (int pigeon = 0; pigeon < 16; ++pigeon) {
+        selectors.push_back({clauses.add_variable(), 1.0 + pigeon % 3});
+        std::vector<int> somewhere{-selectors.back().literal};
+        for (std::vector<int>& hole : holes) {
+            const int here = clauses.add_variable();
+            for (const int other : hole) clauses.add({-here, -other});
+            hole.push_back(here);
+            somewhere.push_back(here);
+        }
+        clauses.add(somewhere);
+    }
+    std::size_t most = 0;
+    for (const std::uint64_t steps : {0, 1, 1000, 30'000, 100'000}) {
+        std::vector<std::set<SelectorSet>> found;
+        for (int run = 0; run < 2; ++run) {
+            Solver solver(clauses);
+            const RankedSets cheapest = cheapest_corrections(solver, selectors, {1000, steps});
+            EXPECT_FALSE(cheapest.is_complete);
+            EXPECT_EQ(solver.solve(), Verdict::satisfiable) << "the limit is that of one search";
+            Solver another(clauses);
+            const ConflictsAndCorrections all = all_conflicts(another, selectors, {1000, steps});
+            EXPECT_FALSE(all.conflicts.is_complete);
+            for (const RankedSet& each : all.corrections.sets) EXPECT_EQ(each.set.size(), 11U);
+            found.push_back(sets_of(cheapest));
+            found.push_back(sets_of(all.corrections));
+        }
+        EXPECT_EQ(found[0], found[2]);
+        EXPECT_EQ(found[1], found[3]);
+        EXPECT_TRUE(steps > 0 || (found[0].empty() && found[1].empty()));
+        most = std::max(most, found[1].size());
+    }
+    EXPECT_GT(most, 0U);
 }
 
 TEST(HittingSets, AreThoseOfEverySubsetTried) {

@@ -6,6 +6,7 @@
 #include "brute.h"
 #include "knowledge/decision_tree.h"
 #include "knowledge/object_test.h"
+#include "knowledge/reasons.h"
 
 // Short ways to answers that can be had the long way, too: counting for one question instead of listing every object,
 // and planning in a small part of a space.
@@ -73,6 +74,73 @@ TEST(ObjectTest, TellsWhatTheListedSpaceTells) {
     }
     EXPECT_GT(pairs, 200);
     EXPECT_GT(asked, 400);
+}
+
+TEST(ObjectTest, TellsWithFewerAxiomsWhatListsAndTheSolverTell) {
+    int asked = 0, followed = 0, free = 0;
+    for (unsigned seed = 0; seed < 200; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        const std::optional<Domain> domain = random_domain(seed);
+        if (!domain || domain->regions.diagram || domain->grounding->assembly.has_composites()) continue;
+        std::mt19937 random(seed + 3);
+        const Theory& theory = domain->grounding->theory;
+        Knowledge knowledge{static_cast<int>(1 + random() % 3), random() % 2 == 0, {}};
+        for (int i = 0; i < 6; ++i) {
+            const auto variable = static_cast<VariableId>(random() % domain->regions.variables.size());
+            const auto& values = domain->regions.variables[static_cast<std::size_t>(variable)].values;
+            knowledge.answers.push_back({static_cast<int>(random() % static_cast<unsigned>(knowledge.region_count)),
+                                         {variable, static_cast<ValueId>(random() % values.size())},
+                                         random() % 2 == 0});
+        }
+        const Conclusions known = conclude(*domain, knowledge);
+        if (known.contradiction) continue;
+        for (const Concept& each : known.objects->concepts) {
+            const int goal = theory.find(each.iri);
+            FromAxioms by_solver(*domain, knowledge, goal, std::vector<char>(knowledge.answers.size(), 1),
+                                 knowledge.complete);
+            for (int i = 0; i < 6; ++i) {
+                std::vector<char> axioms(domain->ontology.axioms.size(), 1);
+                for (char& axiom : axioms)
+                    if (i > 0 && random() % (i < 4 ? 6 : 2) == 0) axiom = 0;
+                const Scope scope = cone(theory, goal, axioms, true);
+                const Layer layer = build_regions(theory, scope, {});
+                std::vector<ConfigurationSet> sets(static_cast<std::size_t>(knowledge.region_count), layer.space.all());
+                bool is_told = true;  // by features alone, so that they mean the same in every scope
+                for (const Answer& answer : knowledge.answers) {
+                    const auto feature = static_cast<std::size_t>(answer.question.variable);
+                    if (feature >= theory.feature_count()) is_told = false;
+                    if (!is_told) break;
+                    const ConfigurationSet yes = yes_set(layer.space, {layer.features[feature], answer.question.value});
+                    ConfigurationSet& set = sets[static_cast<std::size_t>(answer.region)];
+                    answer.yes ? set &= yes : set -= yes;
+                }
+                if (!is_told) break;
+                const Assembly assembly = assemble(theory, scope, layer, 1 << 20);
+                std::vector<Counts> counts = reachable_counts(assembly.parts, sets);
+                if (!knowledge.complete)
+                    counts =
+                        with_any_more(assembly.parts, counts, types_within(assembly.parts, layer.space.all()), 1 << 20);
+                const ObjectLayer listed = build_objects(theory, scope, {}, assembly.parts, counts, 1 << 20);
+                const bool follows = listed.layer.concepts[goal].count() == listed.layer.space.size;
+                EXPECT_EQ(by_solver.follows(axioms), follows) << each.iri;
+                const auto test = ObjectTest::within(theory, scope, assembly.parts, std::vector{goal});
+                if (test) {
+                    std::vector<ObjectTest::Types> types;
+                    for (const ConfigurationSet& set : sets) types.push_back(test->types_of(set));
+                    const ObjectTest::Outcome outcome = test->ask(types, knowledge.complete);
+                    EXPECT_EQ(outcome.any, listed.layer.space.size > 0);
+                    EXPECT_EQ(!outcome.other, follows) << each.iri;
+                }
+                ++asked;
+                followed += follows;
+                for (std::size_t id = 0; id < theory.concepts.size(); ++id)
+                    free += theory.concepts[id].level == Level::object && listed.layer.primitives[id] >= 0;
+            }
+        }
+    }
+    EXPECT_GT(asked, 500);
+    EXPECT_GT(followed, 40);
+    EXPECT_GT(free, 100);
 }
 
 TEST(Conclusions, AreThatPartOfAllObjects) {
