@@ -32,6 +32,7 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <numbers>
 #include <numeric>
 
@@ -55,7 +56,9 @@ constexpr double fewest_cells = 24;
 constexpr double triangles_a_cell = 25;  // on average, but at least and at most so many cells in all:
 constexpr double least_cells = 100, most_cells = 1000;
 constexpr double odd_thickness = 1.8;
-constexpr double least_share = 1e-3;  // of the whole surface: less is no part
+constexpr double widest_end = 1.75, least_length = 1.5;  // of a narrow board, in widths
+constexpr double gap = 0.3, most_between = 0.1;  // of logarithms of widths; share of the smaller side within the gap
+constexpr double least_share = 1e-3;             // of the whole surface: less is no part
 
 /// What rays from the middle between two walls, along them, tell about a part: how narrow and how long it is there.
 struct Chords {
@@ -124,6 +127,7 @@ struct Cell {
     double area = 0;
     Solidity kind = Solidity::unknown;
     bool is_junction = false;  ///< around it, sticks run in different directions
+    int level = 0;             ///< of a board: how many gaps in the widths of its component are below its own
     std::vector<std::int32_t> neighbours;
 };
 
@@ -182,7 +186,7 @@ void look_around(const Surface& s, std::vector<Sampled>& components, bool slante
                 const std::int32_t seed = sampled->seeds[k];
                 double t = s.thickness.distances[seed];
                 const Chords c = slanted ? chords_through_middle(s, seed, t) : chords_around(s, seed);
-                sampled->cells[k] = {t, c.narrow / t, c.wide / t, c.along, 0, Solidity::unknown, false, {}};
+                sampled->cells[k] = {t, c.narrow / t, c.wide / t, c.along, 0, Solidity::unknown, false, 0, {}};
             }
         },
         seeds_a_piece);
@@ -216,10 +220,12 @@ public:
         cells_ = std::move(sampled.cells);
         spread(component);
         smooth();
+        tell_narrow_boards();
         Sets sets(cells_.size());
         for (std::size_t a = 0; a < cells_.size(); ++a)
             for (const std::int32_t b : cells_[a].neighbours)
                 if (same_part(cells_[a], cells_[b], slanted_)) sets.join(static_cast<std::int32_t>(a), b);
+        if (!gaps_.empty()) rejoin_sides(component, sets);
         absorb_small(sets, component);
         emit(component, sets, out);
     }
@@ -307,9 +313,68 @@ private:
         cells_ = std::move(smoothed);
     }
 
+    /// Boards whose widths leave a gap are of two kinds, such as the slats of a back and the rail that they carry:
+    /// widths that change step by step leave none.
+    void tell_narrow_boards() {
+        struct Width {
+            double log, area;
+        };
+        std::vector<Width> widths;
+        double all = 0;
+        for (const Cell& cell : cells_)
+            if (cell.kind == Solidity::board) {
+                widths.push_back({std::log(cell.ratio), cell.area});
+                all += cell.area;
+            }
+        std::ranges::sort(widths, {}, &Width::log);
+        std::vector<double>& gaps = gaps_;
+        double below = 0;
+        for (std::size_t i = 0; i + 1 < widths.size(); ++i) {
+            below += widths[i].area;
+            const double middle = (widths[i].log + widths[i + 1].log) / 2;
+            if (!gaps.empty() && middle < gaps.back() + gap) continue;
+            double within = 0, within_below = 0;
+            for (std::size_t k = i + 1; k-- > 0 && widths[k].log > middle - gap / 2;) within_below += widths[k].area;
+            for (std::size_t k = i + 1; k < widths.size() && widths[k].log < middle + gap / 2; ++k)
+                within += widths[k].area;
+            const double lower = below - within_below, upper = all - below - within;
+            if (within + within_below < most_between * std::min(lower, upper)) gaps.push_back(middle);
+        }
+        for (Cell& cell : cells_)
+            if (cell.kind == Solidity::board)
+                cell.level = static_cast<int>(std::ranges::upper_bound(gaps, std::log(cell.ratio)) - gaps.begin());
+    }
+
     static bool same_part(const Cell& a, const Cell& b, bool slanted) {
-        if (a.kind != b.kind || a.is_junction || b.is_junction) return false;
+        if (a.kind != b.kind || a.level != b.level || a.is_junction || b.is_junction) return false;
         return slanted || a.kind != Solidity::stick || std::abs(a.along.dot(b.along)) > turn_cosine;
+    }
+
+    /// A narrow board ends at a wide one; what lies along it is its side.
+    void rejoin_sides(const Core& component, Sets& sets) {
+        std::vector<double> area(cells_.size(), 0.0), width(cells_.size(), 0.0);
+        for (std::size_t a = 0; a < cells_.size(); ++a) {
+            const std::int32_t root = sets.find(static_cast<std::int32_t>(a));
+            area[root] += cells_[a].area;
+            width[root] += cells_[a].area * cells_[a].ratio * cells_[a].thickness;
+        }
+        std::map<std::pair<std::int32_t, std::int32_t>, double> borders;
+        for (const std::int32_t i : component.triangles)
+            for (std::size_t e = 0; e < 3; ++e) {
+                const std::int32_t j = s_.adjacency.neighbours[i][e];
+                if (!is_own(j) || cell_of_[j] == cell_of_[i]) continue;
+                const std::int32_t a = sets.find(cell_of_[i]), b = sets.find(cell_of_[j]);
+                if (a == b || cells_[a].kind != Solidity::board || cells_[b].kind != Solidity::board) continue;
+                const auto& corners = s_.mesh.triangles[i];
+                borders[std::minmax(a, b)] +=
+                    (s_.mesh.positions[corners[(e + 1) % 3]] - s_.mesh.positions[corners[e]]).norm() / 2;
+            }
+        for (const auto& [pair, length] : borders) {
+            const auto [a, b] = pair;
+            const double narrow = std::min(width[a] / area[a], width[b] / area[b]);
+            const double longest = (width[a] / area[a] < width[b] / area[b] ? area[a] : area[b]) / (2 * narrow);
+            if (length > 2 * widest_end * narrow || longest < least_length * narrow) sets.join(a, b);
+        }
     }
 
     /// Pieces too small to be a part join the neighbour with the longest common border.
@@ -365,13 +430,19 @@ private:
             }
             votes[number[root]][static_cast<std::size_t>(cells_[a].kind)] += cells_[a].area;
             out[first + number[root]].thickness += cells_[a].area * cells_[a].thickness;
+            if (!gaps_.empty())
+                out[first + number[root]].width += cells_[a].area * cells_[a].ratio * cells_[a].thickness;
             spreads[number[root]] += cells_[a].area * cells_[a].along * cells_[a].along.transpose();
         }
+        std::vector<double> areas(votes.size(), 0.0);
         for (std::size_t k = 0; k < votes.size(); ++k) {
             const auto best = std::max_element(votes[k].begin(), votes[k].end()) - votes[k].begin();
             out[first + k].kind = static_cast<Solidity>(best);
             out[first + k].axis = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spreads[k]).eigenvectors().col(2);
         }
+        for (std::size_t a = 0; a < cells_.size(); ++a)
+            areas[number[sets.find(static_cast<std::int32_t>(a))]] += cells_[a].area;
+        for (std::size_t k = 0; k < votes.size(); ++k) out[first + k].width /= areas[k];
         for (const std::int32_t i : component.triangles) {
             Core& core = out[first + number[sets.find(cell_of_[i])]];
             core.triangles.push_back(i);
@@ -388,6 +459,7 @@ private:
     std::vector<std::int32_t>& cell_of_;
     std::vector<Cell> cells_;
     std::vector<std::int32_t> seeds_;
+    std::vector<double> gaps_;  ///< in the logarithms of the widths of boards
 };
 
 /// How alike neighbours must be to belong to one component.
@@ -529,7 +601,7 @@ Cores find_cores(const Surface& s) {
         for (const std::int32_t i : core.triangles) taken[i] = 1;
     // Walls that are not parallel, such as those of a stick with three sides, in what is left.
     for (Core& core : divide(s, find_components(s, taken, {slanted_cosine, 4}), total, 4, true))
-        if (core.kind == Solidity::stick && (s.grain == 0 || is_slim(s, core))) cores.push_back(std::move(core));
+        if (core.kind == Solidity::stick && is_slim(s, core)) cores.push_back(std::move(core));
     std::stable_sort(cores.begin(), cores.end(), [](const Core& a, const Core& b) { return a.area > b.area; });
     Cores result{std::move(cores), std::vector<std::int32_t>(s.count(), -1)};
     for (std::size_t k = 0; k < result.cores.size(); ++k)

@@ -27,6 +27,7 @@ struct Core {
     bool is_exact = false;  ///< a board between two true planes: `middle`, `normal` and `half` tell which
     Vec3 middle = Vec3::Zero();
     double half = 0;
+    double width = 0;  ///< of a board that was parted from wider or narrower ones in its plane, such as a slat; else 0
 };
 
 /// Cores of all parts, those with the largest area first, and per triangle the number of its core or -1.

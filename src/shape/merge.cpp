@@ -17,6 +17,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <map>
+#include <numbers>
 
 #include "shape/claims.h"
 
@@ -120,6 +121,13 @@ bool goes_on(const Border& border, const Lie& piece, const Lie& stick, double th
     return (way - way.dot(stick.axis) * stick.axis).norm() < beside * thick + 0.1 * way.norm();
 }
 
+/// Whether the border is nearly a whole section of a stick of this length and surface.
+bool is_section(const Border& border, const Lie& lie, double surface) {
+    constexpr double least = 0.35;  // of a circle as long around as the stick
+    const double around = surface / lie.length;
+    return border.area().norm() > least * around * around / (4 * std::numbers::pi);
+}
+
 /// Whether the ring between a thin piece and a thick one is the foot of something thin: the thick one ends there, or
 /// goes on beside it.
 bool is_step(const Border& border, double thin, double thick) {
@@ -144,7 +152,9 @@ bool is_within(const Lie& lie, const Core& board) {
 
 /// Whether two boards lie in the same plane and pass into each other.
 bool is_same_board(const Border& border, const Core& a, const Core& b, const Lie& lie_a, const Lie& lie_b) {
-    constexpr double parallel = 0.9, wide_enough = 2;
+    constexpr double parallel = 0.9, wide_enough = 2, as_wide = 1.3;
+    if (std::max(a.width, b.width) > as_wide * std::min(a.width, b.width) && std::min(a.width, b.width) > 0)
+        return false;
     if (border.smooth < wide_enough * (a.thickness + b.thickness) / 2) return false;
     if (std::abs(a.normal.dot(b.normal)) < parallel) return false;
     const Vec3 way = lie_b.inside - lie_a.inside;
@@ -181,7 +191,8 @@ bool are_convex_together(const Surface& s, const std::vector<std::int32_t>& a, c
 }  // namespace
 
 void merge_parts(const Surface& s, Parts& parts) {
-    constexpr double facing = 0.4, surrounded = 0.8, exactly_alike = 1.25, far_unlike = 4, all_around = 0.95;
+    constexpr double facing = 0.4, surrounded = 0.8, exactly_alike = 1.25, far_unlike = 4, all_around = 0.95,
+                     mostly = 0.8;
     const bool is_noisy = s.grain > 0;
     const double unlike = is_noisy ? 2.5 : 1.8;
     for (bool changed = true; changed;) {
@@ -257,7 +268,10 @@ void merge_parts(const Surface& s, Parts& parts) {
             if (!(meet && (((alike || are_sticks) && is_in_line()) ||
                            (alike && is_sawn(common, lie_of(a), lie_of(b), thin)))) &&
                 !(alike && is_same_place(lie_of(a), lie_of(b), thin)) &&
-                !(is_noisy && are_sticks && thick < far_unlike * thin &&
+                !(are_sticks &&
+                  (is_noisy ? thick < far_unlike * thin
+                            : thick < exactly_alike * thin && common.smooth > mostly * common.length &&
+                                  is_section(common, lie_of(a), area[a]) && is_section(common, lie_of(b), area[b])) &&
                   goes_on(common, lie_of(a), lie_of(b), thin, thick)))
                 continue;
             seen.at(a, b) += area[a];
