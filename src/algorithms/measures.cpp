@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
 
 #include "algorithms/appearance.h"
@@ -33,6 +34,17 @@ double end_height(const Object& object, const RegionMeasurements& region) {
     const double above_ground = (region.low - object.low) / height;
     const double below_top = (object.high - region.high) / height;
     return above_ground <= below_top ? above_ground : 1 - below_top;
+}
+
+double length_inclination(const Object& object, const RegionMeasurements& region) {
+    const double sine = std::abs(region.axes.col(0).dot(object.placement.up));
+    return std::asin(std::min(1.0, sine)) * 180 / std::numbers::pi;
+}
+
+double side_offset(const Object& object, const RegionMeasurements& region) {
+    const MiddlePlane& plane = middle_plane(object);
+    if (!(plane.half_width > 0)) return 1;
+    return std::abs(plane.sideways.dot(region.centre) - plane.middle) / plane.half_width;
 }
 
 /// The longest side of the smallest box around the whole object, in file units: the same however it stands.
@@ -100,6 +112,12 @@ std::vector<Measure> built_in_measures() {
         {"foot height", "1", "height of the region's lowest point, 0 ground to 1 top of the object", false,
          Effort::on_demand,
          [](const Object& o, const RegionMeasurements& r) { return ratio(r.low - o.low, o.high - o.low); }},
+        {"length inclination", "degrees", "angle of the longest side of the smallest oriented box to the horizontal",
+         false, Effort::on_demand, length_inclination},
+        {"side offset", "1",
+         "distance of the middle from the plane between left and right of an object with a back, over half the "
+         "object's width: 0 in the middle, 1 at the side, or where there is no back",
+         false, Effort::on_demand, side_offset},
         {"length share", "1", "longest length over that of the whole object, however it stands", false,
          Effort::on_demand,
          [](const Object& o, const RegionMeasurements& r) { return ratio(r.lengths[0], object_length(o)); }},

@@ -96,6 +96,7 @@ Object make_object(TriangleMesh mesh, const Placement& placement, int threads, b
     object.mesh = std::move(mesh);
     object.geometry = compute_geometry(object.mesh);
     object.placement = placement;
+    object.middle.reset();
     stand(object);
     const auto start = std::chrono::steady_clock::now();
     object.tree = std::make_shared<const RayTree>(object.mesh, threads);
@@ -107,6 +108,7 @@ Object make_object(TriangleMesh mesh, const Placement& placement, int threads, b
 
 void place(Object& object, const Placement& placement) {
     object.placement = placement;
+    object.middle.reset();
     stand(object);
 }
 
@@ -115,6 +117,43 @@ void cut(Object& object, int threads) {
         find_parts(object.mesh, {object.placement.up, threads, object.tree, object.is_scene}, &object.times);
     object.is_noisy = std::ranges::any_of(object.candidates, &PartRegion::is_noisy);
     if (object.appearance) split_by_color(object);
+}
+
+const MiddlePlane& middle_plane(const Object& object) {
+    if (object.middle) return *object.middle;
+    constexpr double least_correlation = 0.1;  // between height and the way back; tables have none
+    MiddlePlane& plane = object.middle.emplace();
+    const Vec3& up = object.placement.up;
+    double area = 0;
+    Vec3 sum = Vec3::Zero();
+    Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();  // exact, so that long triangles count as many small ones do
+    for (std::size_t t = 0; t < object.mesh.triangles.size(); ++t) {
+        const Vec3& middle = object.geometry.barycentres[t];
+        area += object.geometry.areas[t];
+        sum += object.geometry.areas[t] * middle;
+        Eigen::Matrix3d corners = 9 * middle * middle.transpose();
+        for (const std::int32_t v : object.mesh.triangles[t]) {
+            const Vec3& corner = object.mesh.positions[static_cast<std::size_t>(v)];
+            corners += corner * corner.transpose();
+        }
+        moments += object.geometry.areas[t] / 12 * corners;
+    }
+    if (!(area > 0)) return plane;
+    const Vec3 centre = sum / area;
+    const Eigen::Matrix3d spread = moments - area * centre * centre.transpose();
+    Vec3 growth = spread * up;
+    growth -= growth.dot(up) * up;
+    if (!(growth.norm() > 0)) return plane;
+    const Vec3 back = growth.normalized();
+    if (growth.norm() < least_correlation * std::sqrt(back.dot(spread * back) * up.dot(spread * up))) return plane;
+    plane.sideways = up.cross(back).normalized();
+    plane.middle = plane.sideways.dot(centre);
+    for (const auto& corners : object.mesh.triangles)
+        for (const std::int32_t v : corners) {
+            const double offset = plane.sideways.dot(object.mesh.positions[static_cast<std::size_t>(v)]) - plane.middle;
+            plane.half_width = std::max(plane.half_width, std::abs(offset));
+        }
+    return plane;
 }
 
 RegionMeasurements measure_region(const Object& object, const PartRegion& part) {

@@ -45,6 +45,13 @@ struct CalmSurface {
     double noise = 0;  ///< how far it still is from the surface before the noise, about
 };
 
+/// The upright plane that parts an object with a back, such as a chair, into its left and its right.
+struct MiddlePlane {
+    Vec3 sideways = Vec3::Zero();  ///< horizontal unit vector; zero where the object has no back
+    double middle = 0;             ///< of the plane along `sideways`, in file units
+    double half_width = 0;         ///< from the plane to the farthest point of the object
+};
+
 /// A mesh ready to be asked about.
 struct Object {
     TriangleMesh mesh;
@@ -59,6 +66,7 @@ struct Object {
     std::shared_ptr<const RayTree> tree;   ///< of the mesh
     mutable std::optional<double> length;  ///< of the smallest box around all of it, once a question needed it
     mutable std::optional<double> area;    ///< of its surface, the same
+    mutable std::optional<MiddlePlane> middle;        ///< as it stands, the same: middle_plane
     mutable std::shared_ptr<const CalmSurface> calm;  ///< once a question needed it: calm_surface
     std::shared_ptr<const Appearance> appearance;     ///< null: no colours, or nothing asks for them; see paint
 };
@@ -102,6 +110,11 @@ struct RegionMeasurements {
 
 /// `part` is one of the object's candidates, and must outlive the result.
 [[nodiscard]] RegionMeasurements measure_region(const Object& object, const PartRegion& part);
+
+/// The plane through the middle of the surface that runs upright from front to back, found the first time that it is
+/// asked for. Where an object has a back, what is high lies behind what is low: the horizontal direction in which
+/// height grows is the way back.
+[[nodiscard]] const MiddlePlane& middle_plane(const Object& object);
 
 /// Shoots some rays up and down, the first time that it is called for a region.
 [[nodiscard]] const Surroundings& look_around(const Object& object, const RegionMeasurements& region);

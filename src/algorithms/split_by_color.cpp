@@ -254,7 +254,8 @@ void split_by_color(Object& object) {
         }
         for (Triangles& triangles : pieces) {
             PartBox measured = measure_part(object.mesh, object.geometry, triangles, object.is_noisy);
-            result.push_back({{std::move(triangles), std::move(measured.memberships)}, measured.box, measured.fit, object.is_noisy});
+            result.push_back(
+                {{std::move(triangles), std::move(measured.memberships)}, measured.box, measured.fit, object.is_noisy});
         }
     }
     std::ranges::sort(result, {}, [](const PartRegion& part) { return part.region.triangles.front(); });

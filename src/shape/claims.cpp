@@ -16,6 +16,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace partonomy {
@@ -177,6 +178,7 @@ void absorb_rims(const Surface& s, const std::vector<Board>& boards, Parts& part
         for (std::size_t k = 0; k < parts.parts.size(); ++k) {
             Core& rim = parts.parts[k];
             if (static_cast<std::int32_t>(k) == b || rim.triangles.empty() || rim.area > 0.25 * board.area) continue;
+            if (rim.family >= 0 && rim.family == board.family) continue;  // one of them is a slat of the other
             double within = 0, flush = 0;
             for (const std::int32_t i : rim.triangles) {
                 const double u = std::abs((s.geometry.barycentres[i] - plane.middle).dot(plane.normal));
@@ -249,6 +251,7 @@ public:
         flat_ = fit.deviation < planar * board.thickness;
         exact_ = fit.deviation < 0.01 * board.thickness && fit.spread < 0.03 * board.thickness;
         plane_ = fit.frame;
+        reach_ = board.family >= 0 ? short_reach : exact_ ? std::numeric_limits<double>::infinity() : reach;
         room_ = exact * plane_.half + std::min(2 * (fit.deviation + fit.spread), most_noise * plane_.half);
         if (exact_) release_strays(number);
         Core& part = parts_.parts[number];
@@ -286,7 +289,7 @@ private:
             if (!free) return;
             beyond =
                 beyond_[from] + static_cast<float>((s_.geometry.barycentres[j] - s_.geometry.barycentres[from]).norm());
-            if (!exact_ && beyond > reach * parts_.parts[board_].thickness) return;
+            if (beyond > reach_ * parts_.parts[board_].thickness) return;
             const Vec3 way = s_.geometry.barycentres[j] - s_.geometry.barycentres[from];
             const bool concave = way.dot(s_.geometry.normals[from]) > 0;
             if (concave && s_.geometry.normals[from].dot(s_.geometry.normals[j]) < crease) return;
@@ -301,8 +304,9 @@ private:
 
     static constexpr double planar = 0.12;  // of the thickness: less deviation from a plane is none
     static constexpr double exact = 1.02, loose = 1.1, most_noise = 0.35;
-    static constexpr double reach = 4;      // thicknesses beyond the last sure place
-    static constexpr double thicker = 1.5;  // parts by so much thicker may lose their triangles to a board's rim
+    static constexpr double reach = 4;  // thicknesses beyond the last sure place, unless both walls are true planes
+    static constexpr double short_reach = 1;  // where narrow boards go on in the same plane
+    static constexpr double thicker = 1.5;    // parts by so much thicker may lose their triangles to a board's rim
     static constexpr double crease = 0.866;
 
     const Surface& s_;
@@ -313,6 +317,7 @@ private:
     std::int32_t board_ = -1;
     bool flat_ = false, exact_ = false;
     Frame plane_;
+    double reach_ = 0;
     double room_ = 0;  ///< how far from the middle plane the board may go
 };
 

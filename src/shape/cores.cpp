@@ -56,8 +56,11 @@ constexpr double fewest_cells = 24;
 constexpr double triangles_a_cell = 25;  // on average, but at least and at most so many cells in all:
 constexpr double least_cells = 100, most_cells = 1000;
 constexpr double odd_thickness = 1.8;
-constexpr double widest_end = 1.75, least_length = 1.5;  // of a narrow board, in widths
+constexpr double narrowest_end = 0.5, widest_end = 1.75, least_length = 1.5;  // of a narrow board, in widths
+constexpr double least_hidden = 0.15;            // of a narrow board from its wide one, share of the lines of sight
+constexpr double shoulders = 1.3;                // of the end of a narrow board: as wide is the wide one there
 constexpr double gap = 0.3, most_between = 0.1;  // of logarithms of widths; share of the smaller side within the gap
+constexpr double least_narrow = 0.05;            // of a component's boards
 constexpr double least_share = 1e-3;             // of the whole surface: less is no part
 
 /// What rays from the middle between two walls, along them, tell about a part: how narrow and how long it is there.
@@ -127,7 +130,7 @@ struct Cell {
     double area = 0;
     Solidity kind = Solidity::unknown;
     bool is_junction = false;  ///< around it, sticks run in different directions
-    int level = 0;             ///< of a board: how many gaps in the widths of its component are below its own
+    bool is_narrow = false;    ///< a board, on the narrow side of a gap in the widths of its component
     std::vector<std::int32_t> neighbours;
 };
 
@@ -186,7 +189,7 @@ void look_around(const Surface& s, std::vector<Sampled>& components, bool slante
                 const std::int32_t seed = sampled->seeds[k];
                 double t = s.thickness.distances[seed];
                 const Chords c = slanted ? chords_through_middle(s, seed, t) : chords_around(s, seed);
-                sampled->cells[k] = {t, c.narrow / t, c.wide / t, c.along, 0, Solidity::unknown, false, 0, {}};
+                sampled->cells[k] = {t, c.narrow / t, c.wide / t, c.along, 0, Solidity::unknown, false, false, {}};
             }
         },
         seeds_a_piece);
@@ -225,7 +228,7 @@ public:
         for (std::size_t a = 0; a < cells_.size(); ++a)
             for (const std::int32_t b : cells_[a].neighbours)
                 if (same_part(cells_[a], cells_[b], slanted_)) sets.join(static_cast<std::int32_t>(a), b);
-        if (!gaps_.empty()) rejoin_sides(component, sets);
+        if (has_narrow_) rejoin_sides(component, sets);
         absorb_small(sets, component);
         emit(component, sets, out);
     }
@@ -327,54 +330,124 @@ private:
                 all += cell.area;
             }
         std::ranges::sort(widths, {}, &Width::log);
-        std::vector<double>& gaps = gaps_;
         double below = 0;
-        for (std::size_t i = 0; i + 1 < widths.size(); ++i) {
+        for (std::size_t i = 0; i + 1 < widths.size() && !has_narrow_; ++i) {
             below += widths[i].area;
             const double middle = (widths[i].log + widths[i + 1].log) / 2;
-            if (!gaps.empty() && middle < gaps.back() + gap) continue;
             double within = 0, within_below = 0;
             for (std::size_t k = i + 1; k-- > 0 && widths[k].log > middle - gap / 2;) within_below += widths[k].area;
             for (std::size_t k = i + 1; k < widths.size() && widths[k].log < middle + gap / 2; ++k)
                 within += widths[k].area;
-            const double lower = below - within_below, upper = all - below - within;
-            if (within + within_below < most_between * std::min(lower, upper)) gaps.push_back(middle);
+            const double narrow = below - within_below, wide = all - below - within;
+            if (narrow < least_narrow * all || within + within_below > most_between * std::min(narrow, wide)) continue;
+            has_narrow_ = true;
+            for (Cell& cell : cells_) cell.is_narrow = cell.kind == Solidity::board && std::log(cell.ratio) < middle;
         }
-        for (Cell& cell : cells_)
-            if (cell.kind == Solidity::board)
-                cell.level = static_cast<int>(std::ranges::upper_bound(gaps, std::log(cell.ratio)) - gaps.begin());
     }
 
     static bool same_part(const Cell& a, const Cell& b, bool slanted) {
-        if (a.kind != b.kind || a.level != b.level || a.is_junction || b.is_junction) return false;
+        if (a.kind != b.kind || a.is_narrow != b.is_narrow || a.is_junction || b.is_junction) return false;
         return slanted || a.kind != Solidity::stick || std::abs(a.along.dot(b.along)) > turn_cosine;
     }
 
     /// A narrow board ends at a wide one; what lies along it is its side.
     void rejoin_sides(const Core& component, Sets& sets) {
         std::vector<double> area(cells_.size(), 0.0), width(cells_.size(), 0.0);
+        std::vector<std::int32_t> piece_of(cells_.size());  // as it is before any are joined
         for (std::size_t a = 0; a < cells_.size(); ++a) {
-            const std::int32_t root = sets.find(static_cast<std::int32_t>(a));
+            const std::int32_t root = piece_of[a] = sets.find(static_cast<std::int32_t>(a));
             area[root] += cells_[a].area;
             width[root] += cells_[a].area * cells_[a].ratio * cells_[a].thickness;
         }
-        std::map<std::pair<std::int32_t, std::int32_t>, double> borders;
+        std::vector<Vec3> centre(cells_.size(), Vec3::Zero());
+        for (const std::int32_t i : component.triangles)
+            centre[piece_of[cell_of_[i]]] += s_.geometry.areas[i] * s_.geometry.barycentres[i];
+        struct Border {
+            double length = 0;
+            Vec3 sum = Vec3::Zero();
+            Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+        };
+        std::map<std::pair<std::int32_t, std::int32_t>, Border> borders;
+        const Vec3& origin = s_.geometry.barycentres[component.triangles.front()];
         for (const std::int32_t i : component.triangles)
             for (std::size_t e = 0; e < 3; ++e) {
                 const std::int32_t j = s_.adjacency.neighbours[i][e];
                 if (!is_own(j) || cell_of_[j] == cell_of_[i]) continue;
-                const std::int32_t a = sets.find(cell_of_[i]), b = sets.find(cell_of_[j]);
+                const std::int32_t a = piece_of[cell_of_[i]], b = piece_of[cell_of_[j]];
                 if (a == b || cells_[a].kind != Solidity::board || cells_[b].kind != Solidity::board) continue;
                 const auto& corners = s_.mesh.triangles[i];
-                borders[std::minmax(a, b)] +=
-                    (s_.mesh.positions[corners[(e + 1) % 3]] - s_.mesh.positions[corners[e]]).norm() / 2;
+                const Vec3 &from = s_.mesh.positions[corners[e]], &to = s_.mesh.positions[corners[(e + 1) % 3]];
+                const Vec3 place = (from + to) / 2 - origin;
+                Border& border = borders[std::minmax(a, b)];
+                border.length += (to - from).norm();
+                border.sum += (to - from).norm() * place;
+                border.spread += (to - from).norm() * place * place.transpose();
             }
-        for (const auto& [pair, length] : borders) {
+        for (const auto& [pair, border] : borders) {
             const auto [a, b] = pair;
-            const double narrow = std::min(width[a] / area[a], width[b] / area[b]);
-            const double longest = (width[a] / area[a] < width[b] / area[b] ? area[a] : area[b]) / (2 * narrow);
-            if (length > 2 * widest_end * narrow || longest < least_length * narrow) sets.join(a, b);
+            const bool is_first = width[a] / area[a] < width[b] / area[b];
+            const std::int32_t slat = is_first ? a : b, rail = is_first ? b : a;
+            const double narrow = width[slat] / area[slat];
+            const Vec3 middle = border.sum / border.length;
+            const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(border.spread / border.length -
+                                                                       middle * middle.transpose());
+            // Cells make borders crooked: this long were they straight.
+            const double end = std::sqrt(12 * std::max(0.0, eigen.eigenvalues()[2]));
+            const Vec3 place = origin + middle;
+            const Vec3 across = s_.geometry.normals[seeds_[rail]].cross(place - centre[slat] / area[slat]).normalized();
+            if (end < narrowest_end * narrow || end > widest_end * narrow ||
+                area[slat] < 2 * least_length * narrow * narrow || !is_corner_between(piece_of, slat, rail) ||
+                width_beyond(component, piece_of, slat, place, across, 1.5 * end) < shoulders * end)
+                sets.join(a, b);
+            else
+                parted_.emplace_back(slat, rail);
         }
+        // What touches through the board only lies along it, too.
+        for (std::size_t k = 0; k < cells_.size(); ++k)
+            for (const std::int32_t n : cells_[k].neighbours)
+                if (cells_[k].kind == Solidity::board && cells_[n].kind == Solidity::board && !cells_[k].is_junction &&
+                    !cells_[n].is_junction && !borders.contains(std::minmax(piece_of[k], piece_of[n])))
+                    sets.join(piece_of[k], piece_of[n]);
+    }
+
+    /// Whether the outline turns a corner between two pieces of a board: one is out of the other's sight for a good
+    /// part, unlike the tip of a triangle or of an ellipse.
+    [[nodiscard]] bool is_corner_between(const std::vector<std::int32_t>& piece_of, std::int32_t a,
+                                         std::int32_t b) const {
+        constexpr std::size_t samples = 6;
+        const auto places = [&](std::int32_t piece) {
+            std::vector<std::int32_t> seeds;
+            for (std::size_t k = 0; k < piece_of.size(); ++k)
+                if (piece_of[k] == piece) seeds.push_back(seeds_[k]);
+            std::vector<std::int32_t> some;
+            for (std::size_t k = 0; k < samples; ++k) some.push_back(seeds[k * (seeds.size() - 1) / (samples - 1)]);
+            return some;
+        };
+        const auto middle_of = [&](std::int32_t seed) {
+            return Vec3(s_.geometry.barycentres[seed] - s_.geometry.normals[seed] * (s_.thickness.distances[seed] / 2));
+        };
+        std::size_t hidden = 0;
+        const std::vector<std::int32_t> others = places(b);
+        for (const std::int32_t from : places(a))
+            for (const std::int32_t to : others) {
+                const Vec3 way = middle_of(to) - middle_of(from);
+                const WallHit hit = s_.scene->exit_wall({middle_of(from), way.normalized(), -1, from});
+                hidden += hit.triangle >= 0 && hit.distance < way.norm() - s_.thickness.distances[from] / 2;
+            }
+        return static_cast<double>(hidden) > least_hidden * samples * samples;
+    }
+
+    /// How far the board reaches along a direction beyond a piece, near a place.
+    [[nodiscard]] double width_beyond(const Core& component, const std::vector<std::int32_t>& piece_of,
+                                      std::int32_t piece, const Vec3& place, const Vec3& along, double radius) const {
+        double low = 0, high = 0;
+        for (const std::int32_t i : component.triangles) {
+            const Vec3 way = s_.geometry.barycentres[i] - place;
+            if (way.squaredNorm() > radius * radius || piece_of[cell_of_[i]] == piece) continue;
+            low = std::min(low, way.dot(along));
+            high = std::max(high, way.dot(along));
+        }
+        return high - low;
     }
 
     /// Pieces too small to be a part join the neighbour with the longest common border.
@@ -430,8 +503,7 @@ private:
             }
             votes[number[root]][static_cast<std::size_t>(cells_[a].kind)] += cells_[a].area;
             out[first + number[root]].thickness += cells_[a].area * cells_[a].thickness;
-            if (!gaps_.empty())
-                out[first + number[root]].width += cells_[a].area * cells_[a].ratio * cells_[a].thickness;
+            out[first + number[root]].width += cells_[a].area * cells_[a].ratio * cells_[a].thickness;
             spreads[number[root]] += cells_[a].area * cells_[a].along * cells_[a].along.transpose();
         }
         std::vector<double> areas(votes.size(), 0.0);
@@ -443,6 +515,10 @@ private:
         for (std::size_t a = 0; a < cells_.size(); ++a)
             areas[number[sets.find(static_cast<std::int32_t>(a))]] += cells_[a].area;
         for (std::size_t k = 0; k < votes.size(); ++k) out[first + k].width /= areas[k];
+        for (const auto& [slat, rail] : parted_) {
+            const std::int32_t a = number[sets.find(slat)], b = number[sets.find(rail)];
+            if (a != b) out[first + a].family = out[first + b].family = component.triangles.front();
+        }
         for (const std::int32_t i : component.triangles) {
             Core& core = out[first + number[sets.find(cell_of_[i])]];
             core.triangles.push_back(i);
@@ -459,7 +535,9 @@ private:
     std::vector<std::int32_t>& cell_of_;
     std::vector<Cell> cells_;
     std::vector<std::int32_t> seeds_;
-    std::vector<double> gaps_;  ///< in the logarithms of the widths of boards
+    bool has_narrow_ = false;
+    std::vector<std::pair<std::int32_t, std::int32_t>>
+        parted_;  ///< cells of a narrow board and of the wide one at its end
 };
 
 /// How alike neighbours must be to belong to one component.

@@ -27,7 +27,8 @@ struct Core {
     bool is_exact = false;  ///< a board between two true planes: `middle`, `normal` and `half` tell which
     Vec3 middle = Vec3::Zero();
     double half = 0;
-    double width = 0;  ///< of a board that was parted from wider or narrower ones in its plane, such as a slat; else 0
+    double width = 0;          ///< across a board, in its plane
+    std::int32_t family = -1;  ///< the same for boards that were parted because one is narrower than the other
 };
 
 /// Cores of all parts, those with the largest area first, and per triangle the number of its core or -1.

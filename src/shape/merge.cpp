@@ -150,11 +150,16 @@ bool is_within(const Lie& lie, const Core& board) {
     return board.half > 0 && std::abs((lie.middle - board.middle).dot(board.normal)) < 0.75 * board.half;
 }
 
+/// Whether two boards were parted because one is narrower than the other.
+bool are_unlike_in_width(const Core& a, const Core& b) {
+    constexpr double alike = 1.3;
+    const auto [narrow, wide] = std::minmax(a.width, b.width);
+    return a.family >= 0 && a.family == b.family && wide > alike * narrow;
+}
+
 /// Whether two boards lie in the same plane and pass into each other.
 bool is_same_board(const Border& border, const Core& a, const Core& b, const Lie& lie_a, const Lie& lie_b) {
-    constexpr double parallel = 0.9, wide_enough = 2, as_wide = 1.3;
-    if (std::max(a.width, b.width) > as_wide * std::min(a.width, b.width) && std::min(a.width, b.width) > 0)
-        return false;
+    constexpr double parallel = 0.9, wide_enough = 2;
     if (border.smooth < wide_enough * (a.thickness + b.thickness) / 2) return false;
     if (std::abs(a.normal.dot(b.normal)) < parallel) return false;
     const Vec3 way = lie_b.inside - lie_a.inside;
@@ -234,7 +239,7 @@ void merge_parts(const Surface& s, Parts& parts) {
         std::vector<std::vector<std::int32_t>> samples;
         for (const auto& [pair, common] : borders.all) {
             const auto [a, b] = pair;
-            if (area[a] > area[b]) continue;
+            if (area[a] > area[b] || are_unlike_in_width(parts.parts[a], parts.parts[b])) continue;
             if (common.smooth > all_around * common.length) {
                 if (samples.empty()) samples = sample(s, parts);
                 if (are_convex_together(s, samples[a], samples[b])) {
