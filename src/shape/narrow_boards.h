@@ -1,0 +1,34 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "shape/cells.h"
+#include "shape/sets.h"
+
+namespace partonomy {
+
+/// A component that was cut into cells.
+struct CellMap {
+    const Surface& surface;
+    const Core& component;
+    const std::vector<std::int32_t>& seeds;
+    const std::vector<Cell>& cells;
+    const std::vector<std::int32_t>& cell_of;       ///< per triangle
+    const std::vector<std::int32_t>& component_of;  ///< per triangle
+    std::int32_t own;                               ///< number of the component
+
+    [[nodiscard]] bool is_own(std::int32_t triangle) const { return triangle >= 0 && component_of[triangle] == own; }
+};
+
+/// Two pieces that stay apart, by a cell of each: a narrow board and the wide one at its end.
+using PartedBoards = std::pair<std::int32_t, std::int32_t>;
+
+/// Marks the cells on the narrow side of a gap in the widths of boards. False: there is no gap.
+bool tell_narrow_boards(std::vector<Cell>& cells);
+
+/// Joins marked and unmarked pieces again unless one is a narrow board that ends at the other, as a slat at its rail.
+/// Returns what stays apart.
+std::vector<PartedBoards> part_narrow_boards(const CellMap& map, Sets& pieces);
+
+}  // namespace partonomy
