@@ -23,7 +23,8 @@ namespace {
 constexpr double gap = 0.3, most_between = 0.1;  // of logarithms of widths; share of the smaller side within the gap
 constexpr double least_narrow = 0.05;            // of a component's boards
 constexpr double narrowest_end = 0.5, widest_end = 1.75, least_length = 1.5;  // of a narrow board, in widths
-constexpr double least_hidden = 0.15;  // of a narrow board from its wide one, share of the lines of sight
+constexpr double along_side = 0.6;     // of its length: a border so long is a side
+constexpr double least_hidden = 0.08;  // of a narrow board from its wide one, share of the lines of sight
 constexpr double shoulders = 1.3;      // of the end of a narrow board: as wide is the wide one there
 
 /// The border of two pieces, as far as it is needed to tell where it lies and how long it would be straight.
@@ -138,6 +139,7 @@ std::vector<PartedBoards> part_narrow_boards(const CellMap& m, Sets& sets) {
         const bool is_first = width[a] / area[a] < width[b] / area[b];
         const std::int32_t slat = is_first ? a : b, rail = is_first ? b : a;
         const double narrow = width[slat] / area[slat];
+        const double length = area[slat] / (2 * narrow);
         const Vec3 middle = border.sum / border.length;
         const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(border.spread / border.length -
                                                                    middle * middle.transpose());
@@ -145,8 +147,8 @@ std::vector<PartedBoards> part_narrow_boards(const CellMap& m, Sets& sets) {
         const double end = std::sqrt(12 * std::max(0.0, eigen.eigenvalues()[2]));
         const Vec3 place = origin + middle;
         const Vec3 across = s.geometry.normals[m.seeds[rail]].cross(place - centre[slat] / area[slat]).normalized();
-        if (end < narrowest_end * narrow || end > widest_end * narrow ||
-            area[slat] < 2 * least_length * narrow * narrow || !is_corner_between(m, piece_of, slat, rail) ||
+        if (end < narrowest_end * narrow || end > std::max(widest_end * narrow, along_side * length) ||
+            length < least_length * narrow || !is_corner_between(m, piece_of, slat, rail) ||
             width_beyond(m, piece_of, slat, place, across, 1.5 * end) < shoulders * end)
             sets.join(a, b);
         else
