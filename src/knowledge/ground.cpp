@@ -20,6 +20,8 @@ using owl::ClassExpression;
 using owl::ClassKind;
 using Kind = Formula::Kind;
 
+constexpr unsigned most_parts_counted = 100'000;  // beyond, the ways in which parts combine are too many for any layer
+
 const char* kind_of(Level level) {
     return level == Level::region ? "a region" : level == Level::composite ? "a composite part" : "an object";
 }
@@ -282,7 +284,9 @@ FormulaId Grounder::ground_parts(const ClassExpression& expression, Level level,
         formula.part_level = part_level;
         return add(std::move(formula));
     };
-    if (expression.number == UINT32_MAX) refuse(axiom, "the cardinality is too large", "write a smaller one");
+    if (expression.number > most_parts_counted)
+        refuse(axiom, "it counts to " + std::to_string(expression.number) + " parts",
+               "count to " + std::to_string(most_parts_counted) + " at most");
     switch (expression.kind) {
         case ClassKind::some_values_from:
             return at_least(1);

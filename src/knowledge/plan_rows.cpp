@@ -7,19 +7,6 @@
 // give the same numbers to the last bit.
 
 namespace partonomy::knowledge {
-namespace {
-
-std::uint64_t hash_of(RowSpan rows) {
-    std::uint64_t sum = rows.size();
-    for (const std::uint32_t row : rows) {  // a sum of scrambled rows: no step waits for the one before
-        std::uint64_t code = (row + 1) * 0x9E3779B97F4A7C15U;
-        code = (code ^ (code >> 29)) * 0xBF58476D1CE4E5B9U;
-        sum += code ^ (code >> 32);
-    }
-    return sum ^ (sum >> 31);
-}
-
-}  // namespace
 
 PlanRows::PlanRows(std::size_t size, const std::vector<ConfigurationSet>& labels,
                    const std::vector<const ConfigurationSet*>& questions)
@@ -105,6 +92,17 @@ RowTable::Entry& RowTable::place_of(std::uint64_t hash, RowSpan rows) {
             entry.hash == hash && std::ranges::equal(rows, RowSpan(rows_).subspan(entry.first, entry.size)))
             break;
     return entries_[place];
+}
+
+std::uint64_t RowTable::hash_of(RowSpan rows) {
+    while (codes_.size() <= rows.back()) {
+        std::uint64_t code = (codes_.size() + 1) * 0x9E3779B97F4A7C15U;
+        code = (code ^ (code >> 29)) * 0xBF58476D1CE4E5B9U;
+        codes_.push_back(code ^ (code >> 32));
+    }
+    std::uint64_t sum = rows.size();
+    for (const std::uint32_t row : rows) sum += codes_[row];  // no step waits for the one before
+    return sum ^ (sum >> 31);
 }
 
 std::size_t RowTable::number_of(RowSpan rows) {

@@ -47,7 +47,7 @@ private:
 /// Numbers the sets that it is shown, and keeps a value for each.
 class RowTable {
 public:
-    /// The same number for the same set; a new one has no value.
+    /// The same number for the same set, which is ascending and not empty; a new one has no value.
     [[nodiscard]] std::size_t number_of(RowSpan rows);
     [[nodiscard]] std::optional<double>& value(std::size_t number) { return values_[number]; }
 
@@ -58,9 +58,11 @@ private:
         std::size_t number = 0;
     };
     [[nodiscard]] Entry& place_of(std::uint64_t hash, RowSpan rows);
+    [[nodiscard]] std::uint64_t hash_of(RowSpan rows);
 
     std::vector<Entry> entries_;  ///< a power of two of them, at most half in use
     Rows rows_;
+    std::vector<std::uint64_t> codes_;  ///< by row: scrambled, to be summed up
     std::vector<std::optional<double>> values_;
 };
 

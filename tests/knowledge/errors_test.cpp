@@ -38,6 +38,7 @@ TEST(Errors, NameAxiomFileAndLine) {
     expect_refused(shapes().same("Chair", both({name("Object"), some("hasShape", "Board")})),
                    "write hasPart some (hasShape some Board)");
     expect_refused(shapes().same("Chair", some("hasPart", name("Object"))), "object where a region is meant");
+    expect_refused(shapes().same("Beach", at_least(100'000'000, some("hasShape", "Board"))), "count to 100000 at most");
     expect_refused(shapes().same("Bad", both({name("Incompatible"), some("hasShape", "Board")})),
                    "write SubClassOf: Incompatible");
     expect_refused(shapes().sub(some("hasShape", "Board"), name("Incompatible")), "needs a name");
