@@ -236,8 +236,10 @@ std::string verdict(const Annotation& annotation) {
 
 std::string summary(const Annotation& annotation, const fs::path& folder) {
     std::vector<std::string> parts, composites;
-    for (const AnnotatedPart& part : annotation.parts) parts.push_back(concept_of(part));
-    for (const AnnotatedComposite& composite : annotation.composites) composites.push_back(composite.concepts.front());
+    for (const AnnotatedPart& part : annotation.parts)
+        parts.push_back(part.names.empty() ? concept_of(part) : join(part.names, "+"));
+    for (const AnnotatedComposite& composite : annotation.composites)
+        composites.push_back(composite.names.empty() ? composite.concepts.front() : join(composite.names, "+"));
     std::string named = parts.empty() ? "no parts" : counted(parts);
     if (!composites.empty()) named += "; wholes: " + counted(composites);
     std::string related;  // only where the ontology has relations or composite parts

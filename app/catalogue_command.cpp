@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 
 #include "algorithms/relations.h"
@@ -40,11 +41,31 @@ std::vector<std::pair<std::string, std::string>> number_properties() {
     return numbers;
 }
 
-void print_text(const Catalogue& catalogue) {
+/// What the ontology asks and no algorithm answers: it stays open.
+std::vector<std::string> unanswered(const knowledge::Domain& domain, const Catalogue& catalogue) {
+    std::vector<std::string> names;
+    for (int v = 0; v < static_cast<int>(domain.regions.variables.size()); ++v) {
+        const knowledge::Variable& variable = domain.regions.variables[static_cast<std::size_t>(v)];
+        const bool is_relation = variable.kind == knowledge::VariableKind::relation;
+        const bool is_asked = is_relation || variable.kind == knowledge::VariableKind::range ||
+                              variable.kind == knowledge::VariableKind::number;
+        if (!is_asked || std::ranges::any_of(catalogue.algorithms, [&](const ElementaryAlgorithm& algorithm) {
+                return algorithm.question.variable == v;
+            }))
+            continue;
+        names.push_back(is_relation ? to_manchester(*variable.part_class) : owl::local_name(variable.iri));
+    }
+    return names;
+}
+
+void print_text(const knowledge::Domain& domain, const Catalogue& catalogue) {
     fmt::print("{:<9} {:<18} {:>5}  {:<7}  {}\n", "signature", "concept", "cost", "origin", "how");
     for (const ElementaryAlgorithm& algorithm : catalogue.algorithms)
         fmt::print("{:<9} {:<18} {:>5}  {:<7}  {}{}\n", word_of(algorithm.signature), algorithm.name, algorithm.cost,
                    word_of(algorithm.origin), algorithm.method, algorithm.needs_metres ? " (needs a unit)" : "");
+    for (const std::string& name : unanswered(domain, catalogue))
+        fmt::print("{:<9} {:<18} {:>5}  {:<7}  it names no measure, so it stays open; partonomy check tells more\n",
+                   "none", name, "-", "-");
     fmt::print("\n{:<16} {:<8} {}\n", "measure", "unit", "what it is");
     for (const Measure& measure : all_measures())
         fmt::print("{:<16} {:<8} {}\n", measure.name, measure.unit, measure.description);
@@ -55,7 +76,7 @@ void print_text(const Catalogue& catalogue) {
         fmt::print("{:<18} {:<8} {:<8} {}\n", measure.name, measure.arity, measure.unit, measure.description);
 }
 
-void print_json(const Catalogue& catalogue) {
+void print_json(const knowledge::Domain& domain, const Catalogue& catalogue) {
     JsonText json(2);
     json.object().array("algorithms");
     for (const ElementaryAlgorithm& algorithm : catalogue.algorithms)
@@ -67,7 +88,7 @@ void print_json(const Catalogue& catalogue) {
             .member("origin", word_of(algorithm.origin))
             .member("needs_unit", algorithm.needs_metres)
             .end();
-    json.end().array("measures");
+    json.end().member("unanswered", unanswered(domain, catalogue)).array("measures");
     for (const Measure& measure : all_measures())
         json.object_in_line()
             .member("name", measure.name)
@@ -100,16 +121,18 @@ void add_catalogue_command(CLI::App& app, Run& run) {
         *app.add_subcommand("catalogue", "every elementary algorithm, its signature and cost; every measure");
     arguments->ontology.add_to(command, true);
     command.get_option("ONTOLOGY")->required(false)->description("the ontology; the built-in core without it");
+    command.add_option("--ontology,-O", arguments->ontology.path, "the same, as annotate takes it");
     command.add_flag("--json", arguments->json, "print JSON");
     command.callback([arguments, &run] {
         run = [arguments] {
             arguments->ontology.load_plugins();
-            const Catalogue catalogue =
-                arguments->ontology.path.empty() ? make_core_catalogue() : make_catalogue(arguments->ontology.load());
+            const knowledge::Domain domain =
+                arguments->ontology.path.empty() ? make_core_domain() : arguments->ontology.load();
+            const Catalogue catalogue = make_catalogue(domain);
             if (arguments->json)
-                print_json(catalogue);
+                print_json(domain, catalogue);
             else
-                print_text(catalogue);
+                print_text(domain, catalogue);
             return static_cast<int>(recognised);
         };
     });

@@ -15,6 +15,7 @@ namespace {
 
 using knowledge::Domain;
 using knowledge::Finding;
+using knowledge::FindingKind;
 using knowledge::Space;
 using nlohmann::ordered_json;
 
@@ -131,6 +132,18 @@ Checked look_at(const OntologyArguments& arguments) {
     return checked;
 }
 
+/// All findings; of remarks about concepts that may hold together the first few stand for the rest.
+void print_findings(const Checked& checked) {
+    constexpr std::ptrdiff_t shown = 3;
+    const std::ptrdiff_t overlaps = std::ranges::count(checked.findings, FindingKind::overlapping, &Finding::kind);
+    std::ptrdiff_t told = 0;
+    for (const Finding& finding : checked.findings)
+        if (finding.kind != FindingKind::overlapping || overlaps <= shown + 1 || told++ < shown)
+            print_finding(finding, checked.ontology);
+    if (told > shown)
+        fmt::print("remark: {} more concepts may hold together with others; check --json lists them\n", told - shown);
+}
+
 ordered_json as_json(const Checked& checked, bool is_wrong) {
     ordered_json result = {{"ontology", checked.ontology.iri}};
     result["layers"] = ordered_json::object();
@@ -171,7 +184,7 @@ int run_check(const Arguments& arguments) {
             print_space(fmt::format("S{}, composite parts", composite.layer), composite.space);
         print_space(fmt::format("S{}, objects", checked.domain->object_layer()), checked.domain->objects());
     }
-    for (const Finding& finding : checked.findings) print_finding(finding, checked.ontology);
+    print_findings(checked);
     if (wrong == 0)
         fmt::print("nothing wrong found\n");
     else

@@ -78,6 +78,13 @@ std::vector<Iri> specific_first(const Domain& domain, const std::vector<Iri>& ir
     return sorted;
 }
 
+/// Local names of the most specific that are no diagnoses.
+std::vector<std::string> names_among(const Domain& domain, const Space& space, std::vector<Iri> iris) {
+    std::erase_if(
+        iris, [&](const Iri& iri) { return space.concepts[static_cast<std::size_t>(*space.find(iri))].incompatible; });
+    return local_names(domain.most_specific(iris));
+}
+
 AnnotatedPart make_part(const Session& session, int region, const ConfigurationSet& possible, const Naming& naming) {
     const Domain& domain = session.domain();
     AnnotatedPart part;
@@ -88,6 +95,7 @@ AnnotatedPart make_part(const Session& session, int region, const ConfigurationS
             return !domain.regions.concepts[static_cast<std::size_t>(*domain.regions.find(iri))].incompatible;
         });
     part.concepts = local_names(concepts);
+    part.names = names_among(domain, domain.regions, naming.concepts);
     part.triangles = session.part(region).region.triangles;
     part.score = session.part(region).fit * session.shape_score(region) * naming.certainty;
     for (std::size_t v = 0; v < domain.regions.variables.size(); ++v) {
@@ -196,6 +204,7 @@ std::vector<AnnotatedComposite> composite_parts(const Session& session, const Co
         AnnotatedComposite& composite = composites.emplace_back();
         composite.id = static_cast<int>(composites.size());
         composite.concepts = local_names(specific_first(domain, names));
+        composite.names = names_among(domain, space, names);
         for (const int region : part.regions) composite.parts.push_back(region + 1);
         for (std::size_t k = 0; k < kept.size(); ++k)
             if (kept[k]->group < part.group && std::ranges::includes(part.regions, kept[k]->regions))

@@ -19,24 +19,26 @@ struct AnnotatedPart {
     std::map<std::string, std::string> features;  ///< range concept -> value, for what is known or inferred
     std::map<std::string, double> measurements;   ///< metres and degrees
     std::string color;                            ///< "#rrggbb" to draw it in; empty: choose one
+    std::vector<std::string> names = {};          ///< the most specific of `concepts` that are no diagnoses
 };
 
 /// A part made of parts, of a layer between parts and object.
 struct AnnotatedComposite {
-    int id = 0;                         ///< 1, 2, … in the order of `Annotation::composites`
-    std::vector<std::string> concepts;  ///< local names, most specific first; at least one
-    std::vector<int> parts;             ///< ids of the parts that it consists of, ascending
-    std::vector<int> composites;        ///< ids of the composite parts of lower layers within it, ascending
+    int id = 0;                           ///< 1, 2, … in the order of `Annotation::composites`
+    std::vector<std::string> concepts;    ///< local names, most specific first; at least one
+    std::vector<int> parts;               ///< ids of the parts that it consists of, ascending
+    std::vector<int> composites;          ///< ids of the composite parts of lower layers within it, ascending
+    std::vector<std::string> names = {};  ///< as of a part
 };
 
 /// One question that the expert system asked, as in the paper's Fig. 13.
 struct TraceEntry {
-    std::string kind;                   ///< "SF", "SI", "T" or "TF"
-    std::string question;               ///< "find all Board in the mesh", "is part 2 Vertical"
-    std::string region;                 ///< what it was asked about: "mesh", "rest", "part 3"
-    std::string answer;                 ///< "4 regions", "yes", "no"
-    double score = 0;                   ///< of the answer
-    std::vector<std::string> inferred;  ///< what followed from it: "part 3 is a Leg", "the object is a Chair"
+    std::string kind;                        ///< "SF", "SI", "T", "TF", or "known": former answers decided it
+    std::string question;                    ///< "find all Board in the mesh", "is part 2 Vertical"
+    std::string region;                      ///< what it was asked about: "mesh", "rest", "part 3"
+    std::string answer;                      ///< "4 regions", "yes", "no"
+    double score = 0;                        ///< of the answer
+    std::vector<std::string> inferred = {};  ///< what followed from it: "part 3 is a Leg", "the object is a Chair"
     double ms = 0;
 };
 

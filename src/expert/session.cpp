@@ -35,6 +35,13 @@ const std::string shape_iri = std::string(owl::core_prefix) + "Shape";
 
 std::string region_name(int region) { return fmt::format("part {}", region + 1); }
 
+/// "1 region", "4 regions".
+std::string how_many(int count, const char* what) { return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s"); }
+
+std::string question_of(const knowledge::Relation& relation) {
+    return relation.question.empty() ? owl::local_name(relation.iri) : relation.question;
+}
+
 bool is_free(const knowledge::RangeConcept& range) {
     return std::ranges::all_of(range.values, [](const auto& value) { return value.cost && *value.cost == 0; });
 }
@@ -173,12 +180,9 @@ int Session::find_all(Question question) {
     rest_ = std::move(rest);
     rest_possible_ -= yes_set(domain_.regions, question);
 
-    TraceEntry entry;
-    entry.kind = "SF";
-    entry.region = find_all_count == 1 ? "mesh" : "rest";
-    entry.question = fmt::format("find all {} in the {}", algorithm ? algorithm->name : "?", entry.region);
-    entry.answer = fmt::format("{} region{}", found.size(), found.size() == 1 ? "" : "s");
-    entry.score = found.empty() ? 1 : lowest;
+    const std::string where = find_all_count == 1 ? "mesh" : "rest";
+    TraceEntry entry{"SF", fmt::format("find all {} in the {}", algorithm ? algorithm->name : "?", where), where,
+                     how_many(static_cast<int>(found.size()), "region"), found.empty() ? 1 : lowest};
     for (const int region : found) {
         for (std::string& text : consequences(region, domain_.regions.all(), question))
             entry.inferred.push_back(std::move(text));
@@ -227,14 +231,13 @@ void Session::find_connections() {
             lowest = std::min(lowest, std::max(score, 1 - score));
             if (score >= 0.5) connected_->emplace_back(regions[index(i)], regions[index(j)]);
         }
-    TraceEntry entry;
-    entry.kind = "TF";
-    entry.region = "mesh";
-    entry.question = "find all parts that touch each other";
-    entry.answer = fmt::format("{} pair{}", connected_->size(), connected_->size() == 1 ? "" : "s");
-    entry.score = lowest;
-    entry.ms = watch.ms();
-    trace.push_back(std::move(entry));
+    trace.push_back({"TF",
+                     "find all parts that touch each other",
+                     "mesh",
+                     how_many(static_cast<int>(connected_->size()), "pair"),
+                     lowest,
+                     {},
+                     watch.ms()});
 }
 
 std::optional<double> Session::ask_score(int region, Question question) {
@@ -242,14 +245,13 @@ std::optional<double> Session::ask_score(int region, Question question) {
     const std::optional<double> score = is_a(domain_, catalogue_, question, object_, measurements(region));
     if (!score) return std::nullopt;
     ++is_a_count;
-    TraceEntry entry;
-    entry.kind = "SI";
-    entry.region = region_name(region);
-    entry.question = fmt::format("{}: {}", entry.region, to_text(domain_.regions, question, domain_));
-    entry.answer = *score >= 0.5 ? "yes" : "no";
-    entry.score = *score >= 0.5 ? *score : 1 - *score;
-    entry.ms = watch.ms();
-    trace.push_back(std::move(entry));
+    trace.push_back({"SI",
+                     in_words(region, question),
+                     region_name(region),
+                     *score >= 0.5 ? "yes" : "no",
+                     *score >= 0.5 ? *score : 1 - *score,
+                     {},
+                     watch.ms()});
     return score;
 }
 
@@ -279,16 +281,14 @@ std::optional<double> Session::relate(const knowledge::RelationTuple& tuple) {
     if (!known->second) return std::nullopt;
     const double score = *known->second;
     ++related_count;
-    TraceEntry entry;
-    entry.kind = "T";
-    entry.region = region_name(tuple.regions[0]);
-    entry.question = relation.question.empty()
-                         ? fmt::format("{}: {} {}", entry.region, owl::local_name(relation.iri), references)
-                         : fmt::format("{}: {} {}", entry.region, relation.question, references);
-    entry.answer = score >= 0.5 ? "yes" : "no";
-    entry.score = std::max(score, 1 - score);
-    entry.ms = watch.ms();
-    trace.push_back(std::move(entry));
+    const std::string target = region_name(tuple.regions[0]);
+    trace.push_back({"T",
+                     fmt::format("{}: {} {}", target, question_of(relation), references),
+                     target,
+                     score >= 0.5 ? "yes" : "no",
+                     std::max(score, 1 - score),
+                     {},
+                     watch.ms()});
     return score;
 }
 
@@ -323,16 +323,13 @@ void Session::find_related(const knowledge::RelationTuple& line) {
     const auto words = [&](int region) { return region < 0 ? std::string("which parts") : region_name(region); };
     std::string references;
     for (std::size_t i = 1; i < line.regions.size(); ++i) references += (i > 1 ? " and " : "") + words(line.regions[i]);
-    TraceEntry entry;
-    entry.kind = "TF";
-    entry.region = region_name(line.regions[open == 0 ? 1 : 0]);
-    entry.question =
-        fmt::format("{}: {} {}", words(line.regions[0]),
-                    relation.question.empty() ? owl::local_name(relation.iri) : relation.question, references);
-    entry.answer = fmt::format("{} region{}", yes, yes == 1 ? "" : "s");
-    entry.score = lowest;
-    entry.ms = watch.ms();
-    trace.push_back(std::move(entry));
+    trace.push_back({"TF",
+                     fmt::format("{}: {} {}", words(line.regions[0]), question_of(relation), references),
+                     region_name(line.regions[open == 0 ? 1 : 0]),
+                     how_many(yes, "region"),
+                     lowest,
+                     {},
+                     watch.ms()});
 }
 
 void Session::relate_many(int region, Question question) {
@@ -371,6 +368,7 @@ void Session::relate_many(int region, Question question) {
 }
 
 std::optional<bool> Session::ask_relation(int region, Question question) {
+    const std::size_t asked_before = trace.size();
     relate_many(region, question);
     const auto index =
         static_cast<std::size_t>(domain_.regions.variables[static_cast<std::size_t>(question.variable)].index);
@@ -381,12 +379,18 @@ std::optional<bool> Session::ask_relation(int region, Question question) {
     const bool yes = answer.truth == knowledge::Truth::yes;
     const ConfigurationSet before = possible(region);
     learn(region, question, yes, answer.score);
-    if (trace.empty()) return yes;
-    std::vector<std::string>& inferred = trace.back().inferred;  // it may have taken no T, or several
-    inferred.push_back(fmt::format("{}: {}: {}", region_name(region), to_text(domain_.regions, question, domain_),
-                                   yes ? "yes" : "no"));
+    // It may have taken several T and TF, of which the last is followed by what they say together, or none.
+    if (trace.size() == asked_before)
+        trace.push_back({"known", in_words(region, question), region_name(region), yes ? "yes" : "no", answer.score});
+    else
+        trace.back().inferred.push_back(in_words(region, question) + (yes ? ": yes" : ": no"));
+    std::vector<std::string>& inferred = trace.back().inferred;
     for (std::string& text : consequences(region, before, question)) inferred.push_back(std::move(text));
     return yes;
+}
+
+std::string Session::in_words(int region, Question question) const {
+    return fmt::format("{}: {}", region_name(region), to_text(domain_.regions, question, domain_));
 }
 
 std::optional<bool> Session::ask(int region, Question question) {

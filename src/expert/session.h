@@ -103,6 +103,8 @@ private:
     const Scene& scene();
     const RegionPlace& place(int region);
     void read_off(int region, int variable);
+    /// "part 3: is it a board".
+    [[nodiscard]] std::string in_words(int region, knowledge::Question question) const;
     /// What is known of a region now and was not in `before`, in words; not the answer to `asked` itself.
     [[nodiscard]] std::vector<std::string> consequences(int region, const knowledge::ConfigurationSet& before,
                                                         knowledge::Question asked) const;

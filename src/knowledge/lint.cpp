@@ -16,6 +16,7 @@
 #include "knowledge/concept_relations.h"
 #include "knowledge/lint_gaps.h"
 #include "knowledge/plain.h"
+#include "knowledge/relations.h"
 #include "knowledge/theory.h"
 #include "owl/signature.h"
 
@@ -342,12 +343,19 @@ private:
     }
 
     void look_at_relations() {
-        for (const Variable& variable : domain_.regions.variables)
-            if (variable.kind == VariableKind::relation && !variable.answerable)
-                add(FindingKind::unanswerable, true, {}, {},
-                    "no criterion tells whether \"" + to_manchester(*variable.part_class) +
-                        "\" holds, so nothing can answer it and it stays open",
-                    "give its relation a core:criterion");
+        for (const Variable& variable : domain_.regions.variables) {
+            if (variable.kind != VariableKind::relation || variable.answerable) continue;
+            std::vector<Iri> silent;
+            const NodeTest& test = domain_.relational[static_cast<std::size_t>(variable.index)].test;
+            for (std::size_t r = 0; r < domain_.relations.size(); ++r)
+                if (domain_.relations[r].criteria.empty() && may_pass(test, domain_.relations, r))
+                    silent.push_back(domain_.relations[r].iri);
+            add(FindingKind::unanswerable, true, silent, place_of(silent.front()),
+                list_of(local_names(silent)) + (silent.size() == 1 ? " has" : " have") +
+                    " no core:criterion, so no algorithm answers \"" + to_manchester(*variable.part_class) +
+                    "\" and it stays open",
+                "give it a measure between regions of partonomy catalogue and a trapezoid");
+        }
     }
 
     /// What a definition speaks of: relations to others, and names; through the names that are defined, too.

@@ -62,7 +62,20 @@ std::vector<Finding> unknown_terms(const owl::Ontology& ontology) {
         owl::for_each_name(axiom, [&](const Iri& iri) { look_at(iri, axiom.source); });
     for (const auto& [entity, annotations] : ontology.annotations)
         for (const owl::Annotation& annotation : annotations) look_at(annotation.property, annotation.source);
-    for (const owl::Entity& entity : ontology.entities) look_at(entity.iri, entity.source);
+    for (const owl::Entity& entity : ontology.entities) {
+        const std::size_t before = findings.size();
+        look_at(entity.iri, entity.source);
+        const std::string name = owl::local_name(entity.iri);
+        const bool is_twin = !entity.iri.starts_with(prefix) && terms.contains(prefix + name);
+        if (is_twin && findings.size() == before)
+            findings.push_back({FindingKind::unknown_term,
+                                false,
+                                {entity.iri},
+                                entity.source,
+                                name + " of this ontology and core:" + name + " are two things of one name",
+                                "name yours otherwise, or mean core:" + name,
+                                {}});
+    }
     return findings;
 }
 

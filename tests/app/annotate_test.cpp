@@ -134,6 +134,22 @@ TEST(Annotate, PartsWithoutANameAreCountedAndNamedOneByOne) {
     EXPECT_EQ(annotation.at("open_questions").get<std::vector<std::string>>(), unnamed);
 }
 
+TEST(Annotate, TheSummaryTellsEveryName) {
+    const TemporaryFolder folder;
+    folder.write("chair.off", to_off(paper_object("chair").mesh));
+    folder.write("legs.omn",
+                 "Prefix: : <http://example.org/d#>\nPrefix: core: <https://w3id.org/partonomy/core#>\n"
+                 "Ontology: <http://example.org/d>\nImport: <https://w3id.org/partonomy/core>\n"
+                 "Class: :Flat\n EquivalentTo: core:Region and core:hasShape some core:Board\n"
+                 "Class: :Thin\n EquivalentTo: core:Region and not core:hasShape some core:Cube\n"
+                 "Class: :Top\n EquivalentTo: core:Region and core:hasPosition some core:Up\n"
+                 "Class: :Thing\n EquivalentTo: core:Object and core:hasPart some :Thin and core:hasPart some :Top\n");
+    const ProgramResult result =
+        run_partonomy({"annotate", "chair.off", "--ontology", "legs.omn", "-o", "out"}, folder.path());
+    // Thin is more general than Flat, so it is told only of the legs.
+    EXPECT_NE(result.out.find("Flat, Flat+Top, Thin x4; "), std::string::npos) << result.out;
+}
+
 TEST(Annotate, OnlyTheFormatsAskedFor) {
     const TemporaryFolder folder;
     folder.write("bench.off", to_off(object("bench").mesh));

@@ -170,6 +170,50 @@ TEST(Check, NamesThatWaitForEachOther) {
     EXPECT_EQ(fine.exit_code, 0) << fine.out;
 }
 
+TEST(Check, ARelationWithoutAnAlgorithmHasALineAndARowInTheCatalogue) {
+    const TemporaryFolder folder;
+    folder.write("o.omn",
+                 "Prefix: : <urn:s#>\nPrefix: core: <https://w3id.org/partonomy/core#>\nOntology: <urn:s>\n"
+                 "Import: <https://w3id.org/partonomy/core>\n"
+                 "Class: :Fits SubClassOf: core:Relation\n"
+                 "Class: :Box EquivalentTo: core:Region and core:hasShape some core:Cube\n"
+                 "Class: :Lid EquivalentTo: core:Region and core:hasShape some core:Board and core:isTargetRegion some "
+                 "(:Fits and inverse core:isReferenceRegion some :Box)\n"
+                 "Class: :Crate EquivalentTo: core:Object and core:hasPart some :Lid\n");
+    const std::string statement = "isTargetRegion some (Fits and (inverse (isReferenceRegion) some Box))";
+    const ProgramResult check = run_partonomy({"check", "o.omn"}, folder.path());
+    EXPECT_EQ(check.exit_code, 1);
+    EXPECT_NE(
+        check.out.find("wrong: o.omn:5: Fits has no core:criterion, so no algorithm answers \"" + statement + "\""),
+        std::string::npos)
+        << check.out;
+    for (const std::vector<std::string>& words :
+         {std::vector<std::string>{"catalogue", "o.omn"}, {"catalogue", "--ontology", "o.omn"}}) {
+        const ProgramResult catalogue = run_partonomy(words, folder.path());
+        EXPECT_EQ(catalogue.exit_code, 0) << catalogue.err;
+        EXPECT_NE(catalogue.out.find("\nnone      " + statement), std::string::npos) << catalogue.out;
+        EXPECT_NE(catalogue.out.find("\nSI        Board "), std::string::npos) << catalogue.out;
+    }
+}
+
+TEST(Check, RemarksAreFew) {
+    const TemporaryFolder folder;
+    const ProgramResult furniture = run_partonomy({"check", furniture_path()}, folder.path());
+    std::size_t remarks = 0;
+    for (std::size_t i = 0; (i = furniture.out.find("remark: ", i)) != std::string::npos; ++i) ++remarks;
+    EXPECT_LE(remarks, 6U) << furniture.out;
+    EXPECT_NE(furniture.out.find(" more concepts may hold together with others; check --json lists them"),
+              std::string::npos)
+        << furniture.out;
+    std::string twin = sized_jars;
+    for (std::size_t at = 0; (at = twin.find("Tall", at)) != std::string::npos;) twin.replace(at, 4, "Hollow");
+    folder.write("jars.omn", twin);
+    const ProgramResult result = run_partonomy({"check", "jars.omn"}, folder.path());
+    EXPECT_EQ(result.exit_code, 0) << result.out;
+    EXPECT_NE(result.out.find("Hollow of this ontology and core:Hollow are two things of one name"), std::string::npos)
+        << result.out;
+}
+
 TEST(Check, DoesNotRemarkOnWhatCannotBeAvoided) {
     const TemporaryFolder folder;
     folder.write("jars.omn", sized_jars);

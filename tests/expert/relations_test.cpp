@@ -85,6 +85,11 @@ TEST(Relations, AboveASeatAndTouchingThreeLegs) {
             EXPECT_TRUE(std::ranges::any_of(annotation.trace, [](const TraceEntry& entry) {
                 return entry.kind == "T" && entry.question.find("is it above part") != std::string::npos;
             }));
+            for (const TraceEntry& entry : annotation.trace) {  // what a relation says does not follow from a shape
+                if (entry.kind != "SF" && entry.kind != "SI") continue;
+                for (const std::string& text : entry.inferred)
+                    EXPECT_EQ(text.find("is it above"), std::string::npos) << entry.question << " => " << text;
+            }
         }
 }
 
