@@ -17,8 +17,9 @@ namespace partonomy {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-const std::array<std::string, 8> defects{"MissingRib",    "MissingHole", "HoleAtEdge", "HolesTooClose",
-                                         "HoleOutOfLine", "BossTooHigh", "ExtraBoard", "RibTooThin"};
+const std::array<std::string, 11> defects{"MissingRib",    "MissingHole",   "HoleAtEdge", "HolesTooClose",
+                                          "HoleOutOfLine", "BossTooHigh",   "ExtraBoard", "RibTooThin",
+                                          "RibTilted",     "HoleOfOddSize", "MissingBoss"};
 
 /// Numbers that are the same with every standard library.
 class Dice {
@@ -47,6 +48,7 @@ struct Rib {
     double x, y;            ///< middle
     double length, across;  ///< along x and y
     double height;
+    double lean = 0;  ///< how far its top is shifted along y
 };
 
 struct Plan {
@@ -114,6 +116,12 @@ void spoil(Plan& plan, const std::string& defect, Dice& dice) {
         plan.ribs.push_back({dice.sign() * x, 0, thick, y, rib.height * dice.between(0.9, 1.1)});
     } else if (defect == "RibTooThin") {
         rib.across = rib.height / dice.between(10.5, 14);
+    } else if (defect == "RibTilted") {  // away from the bosses
+        rib.lean = std::copysign(rib.height * std::tan(dice.between(14, 24) * pi / 180), rib.y);
+    } else if (defect == "HoleOfOddSize") {
+        hole.radius *= dice.whole(0, 1) == 0 ? dice.between(0.6, 0.75) : dice.between(1.25, 1.35);
+    } else if (defect == "MissingBoss") {
+        plan.bosses.clear();
     } else {
         throw UsageError("a bracket cannot have the defect " + defect);
     }
@@ -175,7 +183,9 @@ ExampleObject build(const Plan& plan, const std::string& name, const std::string
     for (const Rib& rib : plan.ribs) {
         above.push_back(rectangle(rib.x, rib.y, rib.length, rib.across, t));
         solid.begin_part("Rib");
-        solid.prism(above.back(), t + rib.height);
+        const Ring top = rectangle(rib.x, rib.y + rib.lean, rib.length, rib.across, t + rib.height);
+        wall(above.back(), top, false);
+        solid.face(top);
     }
     solid.begin_part("Plate");
     solid.face_with_holes(low, below, true);

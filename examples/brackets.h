@@ -8,7 +8,7 @@
 
 namespace partonomy {
 
-/// The kinds of defects that a bracket may have, by the local name of the diagnosis in ontologies/inspection.ttl.
+/// The kinds of defects that a bracket may have, by the local name of the diagnosis in ontologies/inspection.omn.
 [[nodiscard]] std::span<const std::string> bracket_defects();
 
 /// A manufactured part: a plate with two rows of bolt holes, two ribs, and bosses between them, some of them bored.

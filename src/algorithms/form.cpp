@@ -4,18 +4,22 @@
  * width, or through its thickness when its outline matters. Points evenly spread over the surface (samples.cpp) are
  * sorted into slices across the axis.
  *
- * section spread  In each slice the points' distances from the slice's middle, scaled so that an ellipse becomes a
- *                 circle, are averaged by direction; the value is the standard deviation of these means over their
- * mean. Averages keep noise out, slices keep bends and tapers out. A circle has 0, a pentagon 0.06, a square 0.1, a
- * triangle 0.2. Of a board it is the outline that counts; of a block the roundest of its axes. taper           root of
- * the mean squared distance from the middle of the slice, near both ends: smaller over larger. bend            how far
- * the middles of the slices leave their best straight line, over the length. Of a board only across its thickness: an
- * outline that is no rectangle does not make it bent. wall            median over the points of the way through the
- * material, against the normal, over the shortest length of the box. Points under which there is no opposite wall
- * (sheets) count as 0. convexity       over many pairs of points, how far the second is behind the tangent plane of the
- * first (convex) or before it (concave), the sum over the sum of absolute values. Flatter than a fiftieth counts as
- * flat. volume          sum of tetrahedra over the triangles, with a fan over each opening, so that a leg that is open
- * where it joins the seat has the volume of a closed one.
+ * - section spread: in each slice the points' distances from the slice's middle, scaled so that an ellipse becomes a
+ *   circle, are averaged by direction; the value is the standard deviation of these means over their mean. Averages
+ *   keep noise out, slices keep bends and tapers out. A circle has 0, a pentagon 0.06, a square 0.1, a triangle 0.2. Of
+ *   a board it is the outline that counts, of a block the roundest of its axes.
+ * - taper: root of the mean squared distance from the middle of the slice, near both ends: smaller over larger.
+ * - bend: how far the middles of the slices leave their best straight line, over the length. Of a board only across its
+ *   thickness: an outline that is no rectangle does not make it bent.
+ * - wall: median over the points of the way through the material, against the normal, over the shortest length of the
+ *   box. Points under which there is no opposite wall (sheets) count as 0.
+ * - convexity: over many pairs of points, how far the second is behind the tangent plane of the first (convex) or
+ *   before it (concave), the sum over the sum of absolute values. Flatter than a fiftieth counts as flat.
+ * - volume: sum of tetrahedra over the triangles, with a fan over each opening, so that a leg that is open where it
+ *   joins the seat has the volume of a closed one.
+ *
+ * The smallest box of a cone as wide as high stands askew. So a block whose surface is largely one cylinder, cone or
+ * torus is sliced along the axis of that.
  *
  * All O(#T of the region) for the points, then a constant. */
 
@@ -150,21 +154,52 @@ double bend_along(const Object& object, const RegionMeasurements& region, int ax
     return (high - low) / region.lengths[axis];
 }
 
+/// A block that is round about an axis, in a frame along that axis: its smallest box may stand askew, and its sides are
+/// all alike. Nothing for anything else.
+std::optional<RegionMeasurements> about_its_axis(const Object& object, const RegionMeasurements& region) {
+    constexpr double most_of_it = 0.3;  // the wall of a cone on a base that is as large
+    if (is_stick(region.lengths) || is_board(region.lengths)) return std::nullopt;
+    const Patch* wall = nullptr;
+    double area = 0;
+    for (const Patch& patch : patches_of(object, region)) {
+        area += patch.area;
+        const SurfaceKind kind = patch.primitive.kind;
+        if (kind != SurfaceKind::cylinder && kind != SurfaceKind::cone && kind != SurfaceKind::torus) continue;
+        if (!wall || patch.area > wall->area) wall = &patch;
+    }
+    if (!wall || wall->area < most_of_it * area) return std::nullopt;
+    const SurfaceSamples& samples = samples_of(object, region);
+    if (samples.points.empty()) return std::nullopt;
+    RegionMeasurements turned = region;
+    const Vec3 axis = wall->primitive.axis, side = axis.unitOrthogonal();
+    turned.axes << axis, side, axis.cross(side);
+    Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+    for (const Vec3& p : samples.points) {
+        low = low.cwiseMin(turned.axes.transpose() * p);
+        high = high.cwiseMax(turned.axes.transpose() * p);
+    }
+    turned.lengths = high - low;
+    turned.centre = turned.axes * (low + high) / 2;
+    return turned;
+}
+
 }  // namespace
 
 double section_spread(const Object& object, const RegionMeasurements& region) {
     if (is_board(region.lengths)) return spread_across(object, region, 2);
     if (is_stick(region.lengths)) return spread_across(object, region, 0);
+    if (const auto turned = about_its_axis(object, region)) return spread_across(object, *turned, 0);
     double least = nothing;
     for (int axis = 0; axis < 3; ++axis) least = std::fmin(least, spread_across(object, region, axis));
     return least;
 }
 
 double end_ratio(const Object& object, const RegionMeasurements& region) {
-    const int axes = is_stick(region.lengths) ? 1 : is_board(region.lengths) ? 2 : 3;
+    const auto turned = about_its_axis(object, region);
+    const int axes = is_stick(region.lengths) || turned ? 1 : is_board(region.lengths) ? 2 : 3;
     double least = nothing;
     for (int axis = 0; axis < axes; ++axis) {
-        const Slices sliced(samples_of(object, region), region, axis, 4, 0.1, 0.9);
+        const Slices sliced(samples_of(object, region), turned.value_or(region), axis, 4, 0.1, 0.9);
         const double first = radius_of(sliced.slices.front()), last = radius_of(sliced.slices.back());
         if (first > 0 && last > 0) least = std::fmin(least, std::min(first, last) / std::max(first, last));
     }
@@ -173,6 +208,8 @@ double end_ratio(const Object& object, const RegionMeasurements& region) {
 
 double bend(const Object& object, const RegionMeasurements& region) {
     if (is_stick(region.lengths)) return std::max(bend_along(object, region, 0, 1), bend_along(object, region, 0, 2));
+    if (const auto turned = about_its_axis(object, region))
+        return std::max(bend_along(object, *turned, 0, 1), bend_along(object, *turned, 0, 2));
     return std::max(bend_along(object, region, 0, 2), bend_along(object, region, 1, 2));
 }
 

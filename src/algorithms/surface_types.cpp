@@ -1,12 +1,16 @@
 /* What a region's surface is made of: planes, cylinders, spheres, cones, tori.
  *
  * The region is cut into patches (shape/patches.h), once, when a question needs it; the share of a kind is the area of
- * its patches over that of the region. A whole part has all of its sides: a long round stick is cylinder but for its
- * ends. A region that is one patch is of one kind altogether. How well the largest flat patch fills its smallest
- * rectangle and circle tells rectangles from discs: a square fills 0.64 of its circle, a disc 0.79 of its rectangle. */
+ * its patches over that of the region. Round patches count together when they are concentric: an egg is well fitted by
+ * several tori, each a little different, and is none. A whole part has all of its sides: a long round stick is cylinder
+ * but for its ends. A region that is one patch is of one kind altogether. How well the largest flat patch fills its
+ * smallest rectangle and circle tells rectangles from discs: a square fills 0.64 of its circle, a disc 0.79 of its
+ * rectangle. */
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "algorithms/form.h"
 
@@ -24,6 +28,18 @@ double area_of(const std::vector<Patch>& patches) {
     return area;
 }
 
+/// Whether two patches of one round kind have one axis or middle, as pieces of one cylinder and both sides of a pipe.
+bool are_concentric(const Primitive& a, const Primitive& b) {
+    constexpr double alike = 0.15;  // of the radius
+    const double radius = std::max(a.radius, b.radius);
+    const Vec3 way = b.point - a.point;
+    if (a.kind == SurfaceKind::sphere) return way.norm() <= alike * radius;
+    if (a.axis.cross(b.axis).norm() > alike) return false;
+    if (a.kind != SurfaceKind::torus) return a.axis.cross(way).norm() <= alike * radius;
+    return way.norm() <= alike * radius && std::abs(a.radius - b.radius) <= alike * radius &&
+           std::abs(a.slope - b.slope) <= alike * a.slope;
+}
+
 }  // namespace
 
 const std::vector<Patch>& patches_of(const Object& object, const RegionMeasurements& region) {
@@ -34,10 +50,17 @@ const std::vector<Patch>& patches_of(const Object& object, const RegionMeasureme
 
 double kind_share(const Object& object, const RegionMeasurements& region, SurfaceKind kind) {
     const std::vector<Patch>& patches = patches_of(object, region);
-    double share = 0;
-    for (const Patch& patch : patches)
-        if (patch.primitive.kind == kind) share += patch.area;
-    return share / area_of(patches);
+    double largest = 0;
+    for (const Patch& patch : patches) {
+        if (patch.primitive.kind != kind) continue;
+        double area = 0;
+        for (const Patch& other : patches)
+            if (other.primitive.kind == kind &&
+                (kind == SurfaceKind::flat || are_concentric(patch.primitive, other.primitive)))
+                area += other.area;
+        largest = std::max(largest, area);
+    }
+    return largest / area_of(patches);
 }
 
 double primitive_share(const Object& object, const RegionMeasurements& region) {

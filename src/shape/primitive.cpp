@@ -26,7 +26,7 @@ namespace {
 constexpr double kept_share = 0.95;
 constexpr double most_turned = 25 * std::numbers::pi / 180;  // mean angle between normals
 constexpr double flat_radius = 12;                           // of the size: rounder than that is flat
-constexpr double least_slope = 0.04;
+constexpr double least_slope = 0.015;                        // of a cone; less is a cylinder
 // Residual that counts as fitting, and as hardly worse than the best: of the root of the area, or of the radius.
 constexpr double fitting = 0.008, alike = 0.003, fitting_of_radius = 0.03;
 

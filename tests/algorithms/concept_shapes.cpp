@@ -96,6 +96,13 @@ Outline hat() {
     return profile;
 }
 
+/// A ball with three different axes: no piece of it is a piece of a ball or a torus for long.
+TriangleMesh egg(double s) {
+    TriangleMesh mesh = ball(0.7, s);
+    for (Vec3& p : mesh.positions) p = p.cwiseProduct(Vec3(1, 0.74, 0.56));
+    return mesh;
+}
+
 }  // namespace
 
 std::vector<KnownShape> shapes_by_form() {
@@ -144,6 +151,11 @@ std::vector<KnownShape> shapes_by_form() {
     add("pipe", pipe(0.5, 0.42, 2, 0.04),
         {"Round", "Even", "Straight", "Hollow", "MirrorSymmetric", "TurnSymmetric", "Cylinder"});
     add("blob", blob(), {"Freeform", "Solid"});
+    add("cone as wide as high", sweep(ellipse(0.6, 0.6, s), 1.2, s, shrinking(1.2, 0.05)),
+        {"Cube", "Cone", "Round", "Tapered", "Straight", "MirrorSymmetric", "TurnSymmetric"});
+    add("round stick that narrows slowly", sweep(ellipse(0.2, 0.2, s), 3, s, shrinking(3, 0.5)),
+        {"Stick", "Cone", "Round", "Tapered", "Straight", "Solid"});
+    add("egg", egg(s), {"Cube", "Freeform", "Round", "Even", "Straight", "Convex"});
     add("slab on edge, tilted", tilted(sweep(rectangle(0.2, 1.2, s), 1.6, s), 45), {"Oblique", "Solid", "Straight"});
     add("leaning stick", tilted(cuboid(0.3, 0.3, 2.5), 35), {"Stick", "Oblique", "Straight"});
     add("stick that hardly leans", tilted(cuboid(0.3, 0.3, 2.5), 8), {"Stick", "Vertical", "Upright"});
