@@ -1,7 +1,7 @@
-/* docs/guide.md, followed to the letter. Blocks marked `omn` say what an expert has in the editor from then on (a frame
-   replaces the earlier one of its name), with short names as Protégé shows them; here they are put together as the file
-   that it would save. Blocks marked `console` are run in order; the lines below a command are to come out of it, one
-   after another, and "…" stands for any lines. */
+/* docs/guide.md and then docs/guide-reference.md, followed to the letter. Blocks marked `omn` say what an expert has in
+   the editor from then on (a frame replaces the earlier one of its name), with short names as Protégé shows them; here
+   they are put together as the file that it would save. Blocks marked `console` are run in order; the lines below a
+   command are to come out of it, one after another, and "…" stands for any lines. */
 
 #include <gtest/gtest.h>
 
@@ -131,7 +131,7 @@ void run_command(const std::string& command, const std::vector<std::string>& tol
     expect_output(told, result.out);
 }
 
-/// Follows the guide in this folder and returns what the expert has at its end.
+/// Follows both pages in this folder and returns what the expert has at its end.
 std::string follow_guide(const TemporaryFolder& folder) {
     fs::create_directories(folder.path() / "lamps");
     for (const ExampleObject& lamp : lamps()) folder.write("lamps/" + lamp.name + ".off", to_off(lamp.mesh));
@@ -145,7 +145,8 @@ std::string follow_guide(const TemporaryFolder& folder) {
         command.clear();
         told.clear();
     };
-    for (const std::string& line : lines_of(read_file(project / "docs/guide.md"))) {
+    for (const std::string& line :
+         lines_of(read_file(project / "docs/guide.md") + read_file(project / "docs/guide-reference.md"))) {
         if (line.starts_with("```")) {
             run();
             block = line.substr(3);
