@@ -1,11 +1,11 @@
 /* The catalogue of elementary algorithms (paper §3.4): which questions can be answered, how, and at what cost.
  *
  * `is a` needs no code: the ontology ties a concept to measurements and trapezoids, and the score is the lowest of them
- * (paper §4.1, §6.3). `find all` exists for the shapes of boxes, as in paper §4.2.2: one segmentation cuts the mesh
- * into box-like regions, and each `find all` keeps those that are the shape asked for. Every other concept that is
- * asked for has a derived `find all` (derive.cpp) at three times the cost; how fine it looks, core:regions of the range
- * tells. A number that an axiom mentions
- * ("height <= 0.55") is answered by its measure; its score falls from 1 to 0 over a tenth of the number at either side.
+ * (paper §4.1, §6.3). As in paper §4.2.2, one segmentation cuts the mesh, into box-like regions and along the borders
+ * of colours; where core:regions of a range concept is "cut", as of shapes and colours, each `find all` keeps those of
+ * its regions that are what was asked for. Every other concept has a derived `find all` (derive.cpp) at three times the
+ * cost; how fine it looks, core:regions tells, too. A number that an axiom mentions ("height <= 0.55") is answered by
+ * its measure; its score falls from 1 to 0 over a tenth of the number at either side.
  */
 
 #include "algorithms/catalogue.h"
@@ -39,27 +39,21 @@ constexpr double related_cost = 2;  ///< T, some of them: it looks at other regi
 
 constexpr double derived_cost = 60;  ///< of a derived `find all`: it measures each candidate, too
 
-/// How fine a derived `find all` looks: core:regions of the range concept, "parts" without it.
-Grain grain_of(const Domain& domain, const owl::Iri& range) {
+/// core:regions of the range concept: how fine a derived `find all` looks, "parts" without it; nullopt for "cut", whose
+/// regions the mesh is cut into before anything is asked.
+std::optional<Grain> grain_of(const Domain& domain, const owl::Iri& range) {
     const auto found = domain.ontology.annotations.find(range);
     if (found == domain.ontology.annotations.end()) return Grain::parts;
     for (const owl::Annotation& annotation : found->second) {
         if (annotation.property != std::string(owl::core_prefix) + "regions") continue;
         if (annotation.literal.value == "patches") return Grain::patches;
         if (annotation.literal.value == "parts") return Grain::parts;
+        if (annotation.literal.value == "cut") return std::nullopt;
         throw OntologyError(at(annotation.source.file, annotation.source.line,
-                               fmt::format("regions \"{}\" of {} should be \"parts\" or \"patches\"",
+                               fmt::format("regions \"{}\" of {} should be \"cut\", \"parts\" or \"patches\"",
                                            annotation.literal.value, owl::local_name(range))));
     }
     return Grain::parts;
-}
-
-/// Shapes that find_parts cuts, and colours, along whose borders its regions are cut further: what a region of such a
-/// partition can be told to be.
-bool has_find_all(const owl::Iri& range, const std::string& local_name) {
-    if (range == std::string(owl::core_prefix) + "Colour") return true;
-    return range == std::string(owl::core_prefix) + "Shape" &&
-           (local_name == "Board" || local_name == "Stick" || local_name == "Cube");
 }
 
 /// Where an annotation of `iri` names a measure.
@@ -149,7 +143,7 @@ Catalogue make_catalogue(const Domain& domain) {
         const Variable& variable = variables[static_cast<std::size_t>(v)];
         if (variable.kind == VariableKind::range) {
             const knowledge::RangeConcept& range = domain.ranges[static_cast<std::size_t>(variable.index)];
-            const Grain grain = grain_of(domain, range.iri);
+            const std::optional<Grain> grain = grain_of(domain, range.iri);
             for (int i = 0; i < static_cast<int>(range.values.size()); ++i) {
                 const knowledge::ElementaryConcept& value = range.values[static_cast<std::size_t>(i)];
                 if (value.criteria.empty()) continue;
@@ -165,7 +159,7 @@ Catalogue make_catalogue(const Domain& domain) {
                                           c.a3, c.a4);
                 }
                 const std::string name = owl::local_name(value.iri);
-                if (has_find_all(range.iri, name))
+                if (!grain)
                     catalogue.algorithms.push_back({Signature::find_all,
                                                     {v, i},
                                                     name,

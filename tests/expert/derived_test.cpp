@@ -272,6 +272,24 @@ TEST(Derived, PartsThatBelongTogetherAreMerged) {
     EXPECT_TRUE(all.rests.empty());
 }
 
+TEST(Derived, AnExpertsRangeMayTellWhatTheMeshIsCutInto) {
+    std::string text = rises;
+    const std::string feature = "core:Feature ; owl:dis";
+    text.replace(text.find(feature), feature.size(), "core:Feature ; core:regions \"cut\" ; owl:dis");
+    const Expert cut(text), derived(rises);
+    for (const auto& [expert, origin] : {std::pair(&cut, Origin::own), std::pair(&derived, Origin::derived)})
+        for (const ElementaryAlgorithm& algorithm : expert->catalogue.algorithms)
+            if (algorithm.signature == Signature::find_all) {
+                EXPECT_EQ(algorithm.origin, origin) << algorithm.name;
+            }
+    const Annotation annotation = cut.annotate(bench());
+    EXPECT_EQ(annotation.classes, std::vector<std::string>{"Bench"});
+    EXPECT_EQ(count_of(annotation, "Seat"), 1);
+    EXPECT_EQ(count_of(annotation, "Stand"), 2);
+    EXPECT_EQ(annotation.questions.at("SF"), 1);  // one question cuts all three
+    EXPECT_LE(annotation.questions.at("SI"), 0);
+}
+
 TEST(Derived, WrongWordsAreRefused) {
     const auto error_of = [](std::string from, const std::string& to) {
         std::string text = rises;
@@ -289,7 +307,7 @@ TEST(Derived, WrongWordsAreRefused) {
     EXPECT_NE(error_of(formula, "\"top height - inclination\"").find("it subtracts m and degrees"), std::string::npos);
     EXPECT_NE(error_of(formula, "\"top height - inclination\"").find("test.ttl:"), std::string::npos);
     EXPECT_NE(error_of("core:Feature ; owl:dis", "core:Feature ; core:regions \"pieces\" ; owl:dis")
-                  .find("should be \"parts\" or \"patches\""),
+                  .find("should be \"cut\", \"parts\" or \"patches\""),
               std::string::npos);
 }
 
