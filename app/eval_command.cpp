@@ -67,16 +67,14 @@ nlohmann::json annotation_in(const fs::path& folder) {
     return fs::exists(path) ? nlohmann::json::parse(read_file(path), nullptr, false) : nlohmann::json();
 }
 
-std::string mesh_of(const fs::path& folder) {
-    const auto annotation = annotation_in(folder);
+std::string mesh_of(const nlohmann::json& annotation, const fs::path& folder) {
     if (annotation.is_object() && annotation.contains("mesh") && annotation["mesh"].contains("file"))
         return annotation["mesh"]["file"].get<std::string>();
     throw UsageError(at((folder / "annotation.json").string(), 0, "does not name its mesh; give it with --mesh"));
 }
 
 /// The up axis that the annotation names; z when it names none.
-Vec3 up_of(const fs::path& folder) {
-    const auto annotation = annotation_in(folder);
+Vec3 up_of(const nlohmann::json& annotation) {
     if (!annotation.is_object() || !annotation.contains("mesh") || !annotation["mesh"].contains("up"))
         return Vec3::UnitZ();
     return parse_up(annotation["mesh"]["up"].get<std::string>());
@@ -107,13 +105,14 @@ Compared compare(const Arguments& arguments, const fs::path& folder) {
     Compared compared;
     SheetEntry& entry = compared.entry;
     entry.title = stem;
-    entry.mesh = read_mesh(arguments.mesh.empty() ? mesh_of(folder) : arguments.mesh).mesh;
+    const nlohmann::json annotation = annotation_in(folder);
+    entry.mesh = read_mesh(arguments.mesh.empty() ? mesh_of(annotation, folder) : arguments.mesh).mesh;
     entry.truth = read_truth(truth_file(arguments.truth, stem).string(), entry.mesh.input_face_count,
                              parse_names(arguments.names));
     entry.labels = lines_of(folder / "labels.txt");
     compared.result = evaluate_labels(entry.labels, entry.truth, input_face_areas(entry.mesh));
     compared.boundaries = compare_boundaries(entry.mesh, entry.labels, entry.truth);
-    if (!arguments.pictures.empty()) entry.up = up_of(folder);
+    if (!arguments.pictures.empty()) entry.up = up_of(annotation);
     return compared;
 }
 

@@ -5,6 +5,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <map>
 
 #include "examples/brackets.h"
@@ -54,6 +56,52 @@ TEST(Inspection, SoundPartsPass) {
             if (t == 0 || part.parts[t] != part.parts[t - 1]) ++truth[part.labels[t]];
         for (const AnnotatedPart& each : annotation.parts) ++found[each.concepts.empty() ? "-" : each.concepts.front()];
         EXPECT_EQ(found, truth);
+    }
+}
+
+/// Each triangle in four, twice; then bent around a level axis below it.
+TriangleMesh bent(const TriangleMesh& flat) {
+    TriangleMesh mesh = flat;
+    for (int round = 0; round < 2; ++round) {
+        std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> middles;
+        const auto middle = [&](std::int32_t a, std::int32_t b) {
+            const auto [found, is_new] =
+                middles.try_emplace(std::minmax(a, b), static_cast<std::int32_t>(mesh.positions.size()));
+            if (is_new)
+                mesh.positions.emplace_back(
+                    (mesh.positions[static_cast<std::size_t>(a)] + mesh.positions[static_cast<std::size_t>(b)]) / 2);
+            return found->second;
+        };
+        std::vector<std::array<std::int32_t, 3>> finer;
+        for (const auto& [a, b, c] : mesh.triangles) {
+            const std::int32_t ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+            finer.insert(finer.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
+        }
+        mesh.triangles = std::move(finer);
+    }
+    mesh.input_faces.clear();
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) mesh.input_faces.push_back(static_cast<std::int32_t>(t));
+    mesh.input_face_count = static_cast<std::int32_t>(mesh.triangles.size());
+    Vec3 low = mesh.positions.front(), high = low;
+    for (const Vec3& p : mesh.positions) low = low.cwiseMin(p), high = high.cwiseMax(p);
+    const double radius = 1.8 * (high.x() - low.x()), middle_x = (low.x() + high.x()) / 2;
+    for (Vec3& p : mesh.positions) {
+        const double angle = (p.x() - middle_x) / radius, reach = radius + p.z() - low.z();
+        p = {reach * std::sin(angle), p.y(), reach * std::cos(angle)};
+    }
+    return mesh;
+}
+
+TEST(Inspection, ABentPlateIsNamed) {
+    for (std::uint32_t seed = 1; seed <= 4; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        ExampleObject part = bracket(seed);
+        part.mesh = bent(part.mesh);
+        const Annotation annotation = inspect(part);
+        EXPECT_FALSE(std::ranges::count(annotation.classes, "Bracket"));
+        const auto named = std::ranges::find(annotation.diagnosis, "BentPlate", &Diagnosis::concept_name);
+        ASSERT_NE(named, annotation.diagnosis.end());
+        EXPECT_FALSE(named->parts.empty());
     }
 }
 
