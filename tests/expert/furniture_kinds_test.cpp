@@ -144,5 +144,29 @@ TEST(FurnitureParts, ArmrestsHaveNothingAboveThem) {
               (std::vector<std::string>{"Armrest", "Armrest", "Backrest"}));
 }
 
+TEST(FurnitureParts, AColumnOnAFootIsALeg) {
+    const Annotation annotation = Furniture::get().annotate(boxes({{Vec3(0.2, 0.2, 0), Vec3(0.7, 0.6, 0.04)},
+                                                                   {Vec3(0.4, 0.35, 0.04), Vec3(0.5, 0.45, 0.7)},
+                                                                   {Vec3(0, 0, 0.7), Vec3(0.9, 0.8, 0.74)}}));
+    EXPECT_TRUE(std::ranges::count(annotation.all_classes, "Table"));
+    EXPECT_EQ(annotation.labels[0], "Leg");
+    EXPECT_EQ(annotation.labels[12], "Leg");
+}
+
+TEST(FurnitureParts, LeaningRailsAreNoArmrests) {
+    // No rail is below another one: the back leans.
+    EXPECT_EQ(names_of_back({{Vec3(0.04, 0.40, 0.58), Vec3(0.4, 0.42, 0.66)},
+                             {Vec3(0.04, 0.43, 0.72), Vec3(0.4, 0.45, 0.8)},
+                             {Vec3(0.04, 0.46, 0.86), Vec3(0.4, 0.48, 0.95)}}),
+              (std::vector<std::string>{"Backrest", "Backrest", "Backrest"}));
+}
+
+TEST(FurnitureParts, SlatsBelowACrestCarryIt) {
+    EXPECT_EQ(names_of_back({{Vec3(0.1, 0.41, 0.47), Vec3(0.16, 0.43, 0.82)},
+                             {Vec3(0.28, 0.41, 0.47), Vec3(0.34, 0.43, 0.82)},
+                             {Vec3(0.04, 0.41, 0.82), Vec3(0.4, 0.43, 0.95)}}),
+              (std::vector<std::string>{"BackPost", "BackPost", "Backrest"}));
+}
+
 }  // namespace
 }  // namespace partonomy
