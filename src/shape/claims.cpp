@@ -198,7 +198,7 @@ void absorb_rims(const Surface& s, const std::vector<Board>& boards, Parts& part
 /// Cuts sticks where a board crosses them: what lies between the board's walls becomes free, and the pieces above and
 /// below become sticks of their own.
 void cut_at_boards(const Surface& s, const std::vector<Board>& boards, Parts& parts) {
-    constexpr double crossing = 0.3;
+    constexpr double crossing = 0.3, most_beside = 0.7;
     const double long_enough = s.grain > 0 ? 20 : 8;  // surface in squares of the thickness: length is five, two
     for (const auto& [b, fit] : boards) {
         const Frame& plane = fit.frame;
@@ -207,7 +207,10 @@ void cut_at_boards(const Surface& s, const std::vector<Board>& boards, Parts& pa
             const Core& stick = parts.parts[k];
             if (stick.kind != Solidity::stick || stick.area >= parts.parts[b].area) continue;
             const bool is_long = stick.area > long_enough * stick.thickness * stick.thickness;
-            if (is_long && std::abs(stick.axis.dot(plane.normal)) < crossing) continue;  // runs along the board
+            if (is_long && std::abs(stick.axis.dot(plane.normal)) < crossing &&
+                share_near(s, stick.triangles, parts.parts[b], 0.75 * (stick.thickness + parts.parts[b].thickness)) <
+                    most_beside)
+                continue;  // a post that runs along the board and on
             double above = 0, below = 0;
             std::vector<std::int32_t> within;
             for (const std::int32_t i : stick.triangles) {
