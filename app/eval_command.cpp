@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "algorithms/object.h"
 #include "app/commands.h"
@@ -34,7 +35,9 @@ std::map<std::string, std::string> parse_names(const std::vector<std::string>& p
         const std::size_t equals = pair.find('=');
         if (equals == std::string::npos || equals == 0)
             throw UsageError("--names " + pair + ": not a pair, use truth=Concept, such as support=Seat");
-        names[pair.substr(0, equals)] = pair.substr(equals + 1);
+        if (!names.emplace(pair.substr(0, equals), pair.substr(equals + 1)).second)
+            throw UsageError("--names " + pair + ": " + pair.substr(0, equals) +
+                             " has a name already; a label has one");
     }
     return names;
 }
@@ -53,13 +56,69 @@ std::vector<fs::path> annotated_folders(const fs::path& folder) {
     return folders;
 }
 
-/// The truth of one mesh: the given file, or the one of its name in the given folder.
+std::string stem_of(const fs::path& folder) {
+    return folder.filename().empty() ? folder.parent_path().filename().string() : folder.filename().string();
+}
+
+/// The truth of one mesh: the given file, or the one of its name in the given folder; empty when there is none.
 fs::path truth_file(const fs::path& truth, const std::string& stem) {
     if (!fs::is_directory(truth)) return truth;
     for (const char* ending : {"_labels.txt", ".labels.txt", ".lab", ".seg", ".txt", ".ply"})
         if (fs::exists(truth / (stem + ending))) return truth / (stem + ending);
-    throw UsageError(fmt::format("{}: holds no truth for {} ({}_labels.txt, .labels.txt, .lab, .seg, .txt or .ply)",
-                                 truth.string(), stem, stem));
+    return {};
+}
+
+/// The folders that have a truth; says which have none. Throws UsageError when none has.
+std::vector<fs::path> with_truth(const std::vector<fs::path>& folders, const std::string& truth) {
+    std::vector<fs::path> found;
+    std::string without;
+    for (const fs::path& folder : folders)
+        if (truth_file(truth, stem_of(folder)).empty())
+            without += (without.empty() ? "" : ", ") + stem_of(folder);
+        else
+            found.push_back(folder);
+    const std::string said = fmt::format(
+        "{}: holds no truth for {} (NAME_labels.txt, .labels.txt, .lab, .seg, .txt or .ply)", truth, without);
+    if (found.empty()) throw UsageError(said);
+    if (!without.empty()) fmt::print(stderr, "note: {}\n", said);
+    return found;
+}
+
+/// Faces are called by their piece; where the truth speaks of the whole, and all pieces of that name are in such
+/// wholes, they are called by the whole.
+void name_wholes(const nlohmann::json& annotation, const std::vector<std::string>& truth,
+                 std::vector<std::string>& labels) {
+    if (!annotation.is_object() || !annotation.contains("composites")) return;
+    const std::set<std::string> wanted(truth.begin(), truth.end());
+    std::map<std::string, std::set<std::string>> wholes;  // of each name of a piece; "" for a piece in none
+    for (const auto& part : annotation.at("parts")) {
+        if (part.at("concepts").empty()) continue;
+        const std::string piece = part.at("concepts").front().get<std::string>();
+        if (wanted.contains(piece)) continue;
+        std::string whole;
+        for (const auto& composite : annotation.at("composites"))
+            if (std::ranges::find(composite.at("parts"), part.at("id")) != composite.at("parts").end())
+                for (const auto& name : composite.at("concepts"))
+                    if (whole.empty() && wanted.contains(name.get<std::string>())) whole = name.get<std::string>();
+        wholes[piece].insert(whole);
+    }
+    for (std::string& label : labels)
+        if (const auto found = wholes.find(label);
+            found != wholes.end() && found->second.size() == 1 && !found->second.begin()->empty())
+            label = *found->second.begin();
+}
+
+/// A label of the truth that no face has may be called otherwise in the ontology.
+void note_unknown_labels(const std::string& mesh, const std::vector<std::string>& truth,
+                         const std::vector<std::string>& labels) {
+    const std::set<std::string> said(labels.begin(), labels.end());
+    std::string names;
+    for (const std::string& label : said)
+        if (!label.empty()) names += (names.empty() ? "" : ", ") + label;
+    if (std::ranges::any_of(truth, [&](const std::string& label) { return said.contains(label); })) return;
+    fmt::print(stderr,
+               "note: {}: no face has a name that the truth knows; the names are {}: give pairs, --names truth=Name\n",
+               mesh, names);
 }
 
 nlohmann::json annotation_in(const fs::path& folder) {
@@ -100,8 +159,7 @@ struct Compared {
 };
 
 Compared compare(const Arguments& arguments, const fs::path& folder) {
-    const std::string stem =
-        folder.filename().empty() ? folder.parent_path().filename().string() : folder.filename().string();
+    const std::string stem = stem_of(folder);
     Compared compared;
     SheetEntry& entry = compared.entry;
     entry.title = stem;
@@ -110,6 +168,8 @@ Compared compare(const Arguments& arguments, const fs::path& folder) {
     entry.truth = read_truth(truth_file(arguments.truth, stem).string(), entry.mesh.input_face_count,
                              parse_names(arguments.names));
     entry.labels = lines_of(folder / "labels.txt");
+    name_wholes(annotation, entry.truth, entry.labels);
+    note_unknown_labels(stem, entry.truth, entry.labels);
     compared.result = evaluate_labels(entry.labels, entry.truth, input_face_areas(entry.mesh));
     compared.boundaries = compare_boundaries(entry.mesh, entry.labels, entry.truth);
     if (!arguments.pictures.empty()) entry.up = up_of(annotation);
@@ -154,7 +214,7 @@ int run_eval(const Arguments& arguments) {
     double mean = 0;
     std::map<std::string, std::map<std::string, double>> confusion;  // mean over the meshes
     Worst worst(arguments.worst);
-    const std::vector<fs::path> folders = annotated_folders(arguments.run_folder);
+    const std::vector<fs::path> folders = with_truth(annotated_folders(arguments.run_folder), arguments.truth);
     bool has_head = arguments.json;
     const auto print_head = [&] {
         if (std::exchange(has_head, true)) return;

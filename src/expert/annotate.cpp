@@ -46,11 +46,12 @@ bool is_helper(const Domain& domain, const Iri& iri) { return annotation_of(doma
 Naming name_region(const Session& session, const ConfigurationSet& possible) {
     const Space& space = session.domain().regions;
     Naming naming;
+    if (possible.is_empty()) return naming;  // of a contradiction everything follows
     for (const ConceptId c : session.wanted())
         if (const auto& concept_ = space.concepts[static_cast<std::size_t>(c)];
             possible.is_subset_of(concept_.where) && !is_helper(session.domain(), concept_.iri))
             naming.concepts.push_back(concept_.iri);
-    if (!naming.concepts.empty() || possible.is_empty()) return naming;
+    if (!naming.concepts.empty()) return naming;
     double most = 0;
     for (const ConceptId c : session.wanted()) {
         const auto& concept_ = space.concepts[static_cast<std::size_t>(c)];

@@ -6,6 +6,7 @@
 #include <array>
 #include <chrono>
 #include <span>
+#include <utility>
 
 #include "algorithms/appearance.h"
 #include "base/spelling.h"
@@ -32,6 +33,7 @@ private:
 
 const std::string connected_iri = std::string(owl::core_prefix) + "Connected";
 const std::string shape_iri = std::string(owl::core_prefix) + "Shape";
+constexpr double sure = 0.75;  // of an answer: below, others of the same region may overrule it
 
 std::string region_name(int region) { return fmt::format("part {}", region + 1); }
 
@@ -407,12 +409,10 @@ std::optional<bool> Session::ask(int region, Question question) {
 }
 
 void Session::learn(int region, Question question, bool yes, double score) {
-    const ConfigurationSet holds = yes_set(domain_.regions, question);
-    if (yes)
-        possible_[index(region)] &= holds;
-    else
-        possible_[index(region)] -= holds;
-    answers_.push_back({region, question, yes});
+    const knowledge::Answer answer{region, question, yes};
+    if (!make_room(answer, score)) return;
+    narrow(possible_[index(region)], answer);
+    answers_.push_back(answer);
     answer_scores_.push_back(score);
     if (domain_.regions.variables[static_cast<std::size_t>(question.variable)].iri == shape_iri) {
         double& shape_score = shape_scores_[index(region)];
@@ -420,9 +420,53 @@ void Session::learn(int region, Question question, bool yes, double score) {
     }
 }
 
-std::vector<std::string> Session::consequences(int region, const ConfigurationSet& before, Question asked) const {
-    std::vector<std::string> texts;
+void Session::narrow(ConfigurationSet& set, const knowledge::Answer& answer) const {
+    const ConfigurationSet holds = yes_set(domain_.regions, answer.question);
+    if (answer.yes)
+        set &= holds;
+    else
+        set -= holds;
+}
+
+bool Session::make_room(const knowledge::Answer& answer, double score) {
+    const ConfigurationSet& before = possible_[index(answer.region)];
+    ConfigurationSet after = before;
+    narrow(after, answer);
+    if (!after.is_empty() || before.is_empty()) return true;
+    const auto leave_out = [&](const knowledge::Answer& doubtful, double its_score) {
+        left_out_.push_back(fmt::format("left out: {}: {} ({:.2f}) contradicts what is surer",
+                                        in_words(doubtful.region, doubtful.question), doubtful.yes ? "yes" : "no",
+                                        its_score));
+    };
+    std::vector<std::size_t> doubtful;  // the least certain first
+    for (std::size_t i = 0; i < answers_.size(); ++i)
+        if (answers_[i].region == answer.region && answer_scores_[i] < std::min(sure, score)) doubtful.push_back(i);
+    std::ranges::stable_sort(doubtful, {}, [&](std::size_t i) { return answer_scores_[i]; });
+    for (const std::size_t out : doubtful) {
+        ConfigurationSet without = domain_.regions.all();
+        for (std::size_t i = 0; i < answers_.size(); ++i)
+            if (i != out && answers_[i].region == answer.region) narrow(without, answers_[i]);
+        ConfigurationSet with_new = without;
+        narrow(with_new, answer);
+        if (with_new.is_empty()) continue;
+        leave_out(answers_[out], answer_scores_[out]);
+        possible_[index(answer.region)] = std::move(without);
+        answers_.erase(answers_.begin() + static_cast<std::ptrdiff_t>(out));
+        answer_scores_.erase(answer_scores_.begin() + static_cast<std::ptrdiff_t>(out));
+        return true;
+    }
+    if (score >= sure) return true;  // a contradiction that somebody should see
+    leave_out(answer, score);
+    return false;
+}
+
+std::vector<std::string> Session::consequences(int region, const ConfigurationSet& before, Question asked) {
+    std::vector<std::string> texts = std::exchange(left_out_, {});
     const ConfigurationSet& now = possible(region);
+    if (now.is_empty()) {
+        if (!before.is_empty()) texts.push_back(region_name(region) + ": its answers contradict the axioms");
+        return texts;
+    }
     const Space& space = domain_.regions;
     for (const ConceptId c : wanted_) {
         const knowledge::Concept& concept_ = space.concepts[static_cast<std::size_t>(c)];

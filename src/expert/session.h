@@ -106,8 +106,12 @@ private:
     /// "part 3: is it a board".
     [[nodiscard]] std::string in_words(int region, knowledge::Question question) const;
     /// What is known of a region now and was not in `before`, in words; not the answer to `asked` itself.
+    void narrow(knowledge::ConfigurationSet& set, const knowledge::Answer& answer) const;
+    /// Answers are likelihoods: of those of one region that contradict each other the least certain one is left out
+    /// when it is borderline. False: that is the new one.
+    bool make_room(const knowledge::Answer& answer, double score);
     [[nodiscard]] std::vector<std::string> consequences(int region, const knowledge::ConfigurationSet& before,
-                                                        knowledge::Question asked) const;
+                                                        knowledge::Question asked);
 
     const knowledge::Domain& domain_;
     const Catalogue& catalogue_;
@@ -126,6 +130,7 @@ private:
     std::vector<double> shape_scores_;
     std::vector<knowledge::Answer> answers_;
     std::vector<double> answer_scores_;
+    std::vector<std::string> left_out_;  ///< for the trace: doubtful answers that contradicted others
     std::optional<std::vector<std::pair<int, int>>> connected_;
     std::optional<Scene> scene_;
     std::map<int, RegionPlace> places_;  ///< of regions that relations were asked of; they point to parts_

@@ -504,5 +504,37 @@ TEST(Eval, AgainstTheTruthOfTheExamples) {
     EXPECT_NE(refused.err.find("taken"), std::string::npos) << refused.err;
 }
 
+/// The truth speaks of the back, the program of the pieces that it is made of; one mesh has no truth.
+TEST(Eval, WholesAndMeshesWithoutATruth) {
+    const TemporaryFolder folder;
+    fs::create_directories(folder.path() / "truth");
+    const ExampleObject chair = headrest_chair();
+    folder.write("chair.off", to_off(chair.mesh));
+    folder.write("other.off", to_off(headrest_chair(false).mesh));
+    std::string labels;
+    for (const std::string& label : chair.labels) labels += (label == "Leg" || label == "Seat" ? label : "Back") + "\n";
+    folder.write("truth/chair_labels.txt", labels);
+    ASSERT_EQ(run_partonomy({"annotate", "chair.off", "other.off", "--ontology",
+                             PARTONOMY_SOURCE_DIR "/ontologies/furniture-headrest.omn", "-o", "out", "-q"},
+                            folder.path())
+                  .exit_code,
+              2);  // a headrest without a backrest
+    const ProgramResult result = run_partonomy({"eval", "out", "--truth", "truth", "--json"}, folder.path());
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_NEAR(json::parse(result.out).at("mean_area_accuracy").get<double>(), 1, 1e-12);
+    EXPECT_NE(result.err.find("holds no truth for other"), std::string::npos) << result.err;
+    EXPECT_EQ(run_partonomy({"eval", "out/other", "--truth", "truth"}, folder.path()).exit_code, 1);
+
+    std::string strange;
+    for (std::size_t k = 0; k < chair.labels.size(); ++k) strange += "thing\n";
+    folder.write("truth/chair_labels.txt", strange);
+    const ProgramResult unknown = run_partonomy({"eval", "out/chair", "--truth", "truth"}, folder.path());
+    EXPECT_NE(unknown.err.find("BackPanel"), std::string::npos) << unknown.err;
+    EXPECT_EQ(run_partonomy({"eval", "out", "--truth", "truth", "--names", "thing=Leg", "--names", "thing=Seat"},
+                            folder.path())
+                  .exit_code,
+              1);
+}
+
 }  // namespace
 }  // namespace partonomy
