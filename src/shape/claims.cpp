@@ -19,14 +19,16 @@
 #include <limits>
 #include <numeric>
 
+#include "base/ranges.h"
+
 namespace partonomy {
 
 namespace {
 
 /// A board's middle plane and half thickness at a place.
 struct Frame {
-    Vec3 middle;
-    Vec3 normal;
+    Vec3 middle = Vec3::Zero();
+    Vec3 normal = Vec3::Zero();
     double half = 0;
 };
 
@@ -93,8 +95,13 @@ struct Board {
 std::vector<Board> boards_in_order(const Surface& s, const Vec3& up, const Parts& parts) {
     std::vector<Board> boards;
     for (std::size_t k = 0; k < parts.parts.size(); ++k)
-        if (parts.parts[k].kind == Solidity::board)
-            boards.push_back({static_cast<std::int32_t>(k), fit_plane(s, parts.parts[k])});
+        if (parts.parts[k].kind == Solidity::board) boards.push_back({static_cast<std::int32_t>(k), {}});
+    for_each_range(
+        boards.size(), s.threads,
+        [&](std::size_t begin, std::size_t end) {
+            for (std::size_t k = begin; k < end; ++k) boards[k].fit = fit_plane(s, parts.parts[boards[k].number]);
+        },
+        1);
     const auto is_level = [&](const Board& board) { return std::abs(board.fit.frame.normal.dot(up)) > std::sqrt(0.5); };
     std::stable_sort(boards.begin(), boards.end(), [&](const Board& a, const Board& b) {
         const bool level = is_level(a);

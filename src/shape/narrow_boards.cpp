@@ -136,6 +136,10 @@ std::vector<PartedBoards> part_narrow_boards(const CellMap& m, Sets& sets) {
         }
     for (const auto& [pair, border] : borders) {
         const auto [a, b] = pair;
+        if (!(border.length > 0 && area[a] > 0 && area[b] > 0)) {
+            sets.join(a, b);
+            continue;
+        }
         const bool is_first = width[a] / area[a] < width[b] / area[b];
         const std::int32_t slat = is_first ? a : b, rail = is_first ? b : a;
         const double narrow = width[slat] / area[slat];
