@@ -435,7 +435,8 @@ private:
             else if (entity.kind == owl::EntityKind::klass && levels.contains(iri) && levels.at(iri) == Level::region &&
                      users_of(iri).empty() && is_nameable(iri))
                 add(FindingKind::unused, false, {iri}, place_of(iri), "no object and no other concept asks for " + name,
-                    "a part can still be called by this name; leave it out if that is not meant");
+                    is_helper(iri) ? "it is a helper that helps nobody; leave it out"
+                                   : "a part can still be called by this name; leave it out if that is not meant");
             else if ((entity.kind == owl::EntityKind::object_property ||
                       entity.kind == owl::EntityKind::data_property) &&
                      users_of(iri).empty() &&
