@@ -410,8 +410,12 @@ std::optional<bool> Session::ask(int region, Question question) {
 
 void Session::learn(int region, Question question, bool yes, double score) {
     const knowledge::Answer answer{region, question, yes};
-    if (!make_room(answer, score)) return;
-    narrow(possible_[index(region)], answer);
+    ConfigurationSet next = narrowed(possible(region), answer);
+    if (next.is_empty() && !possible(region).is_empty()) {
+        if (!make_room(answer, score)) return;
+        next = narrowed(possible(region), answer);
+    }
+    possible_[index(region)] = std::move(next);
     answers_.push_back(answer);
     answer_scores_.push_back(score);
     if (domain_.regions.variables[static_cast<std::size_t>(question.variable)].iri == shape_iri) {
@@ -420,19 +424,16 @@ void Session::learn(int region, Question question, bool yes, double score) {
     }
 }
 
-void Session::narrow(ConfigurationSet& set, const knowledge::Answer& answer) const {
+ConfigurationSet Session::narrowed(ConfigurationSet set, const knowledge::Answer& answer) const {
     const ConfigurationSet holds = yes_set(domain_.regions, answer.question);
     if (answer.yes)
         set &= holds;
     else
         set -= holds;
+    return set;
 }
 
 bool Session::make_room(const knowledge::Answer& answer, double score) {
-    const ConfigurationSet& before = possible_[index(answer.region)];
-    ConfigurationSet after = before;
-    narrow(after, answer);
-    if (!after.is_empty() || before.is_empty()) return true;
     const auto leave_out = [&](const knowledge::Answer& doubtful, double its_score) {
         left_out_.push_back(fmt::format("left out: {}: {} ({:.2f}) contradicts what is surer",
                                         in_words(doubtful.region, doubtful.question), doubtful.yes ? "yes" : "no",
@@ -445,10 +446,8 @@ bool Session::make_room(const knowledge::Answer& answer, double score) {
     for (const std::size_t out : doubtful) {
         ConfigurationSet without = domain_.regions.all();
         for (std::size_t i = 0; i < answers_.size(); ++i)
-            if (i != out && answers_[i].region == answer.region) narrow(without, answers_[i]);
-        ConfigurationSet with_new = without;
-        narrow(with_new, answer);
-        if (with_new.is_empty()) continue;
+            if (i != out && answers_[i].region == answer.region) without = narrowed(std::move(without), answers_[i]);
+        if (narrowed(without, answer).is_empty()) continue;
         leave_out(answers_[out], answer_scores_[out]);
         possible_[index(answer.region)] = std::move(without);
         answers_.erase(answers_.begin() + static_cast<std::ptrdiff_t>(out));

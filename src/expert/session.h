@@ -105,11 +105,12 @@ private:
     void read_off(int region, int variable);
     /// "part 3: is it a board".
     [[nodiscard]] std::string in_words(int region, knowledge::Question question) const;
-    /// What is known of a region now and was not in `before`, in words; not the answer to `asked` itself.
-    void narrow(knowledge::ConfigurationSet& set, const knowledge::Answer& answer) const;
-    /// Answers are likelihoods: of those of one region that contradict each other the least certain one is left out
-    /// when it is borderline. False: that is the new one.
+    [[nodiscard]] knowledge::ConfigurationSet narrowed(knowledge::ConfigurationSet set,
+                                                       const knowledge::Answer& answer) const;
+    /// Answers are likelihoods: of those of one region that contradict a new one the least certain is left out when it
+    /// is borderline. False: that is the new one.
     bool make_room(const knowledge::Answer& answer, double score);
+    /// What is known of a region now and was not in `before`, in words; not the answer to `asked` itself.
     [[nodiscard]] std::vector<std::string> consequences(int region, const knowledge::ConfigurationSet& before,
                                                         knowledge::Question asked);
 

@@ -34,6 +34,29 @@ struct Border {
     Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
 };
 
+using Borders = std::map<std::pair<std::int32_t, std::int32_t>, Border>;
+
+/// The borders of boards, places as seen from `origin`.
+Borders borders_between(const CellMap& m, const std::vector<std::int32_t>& piece_of, const Vec3& origin) {
+    const Surface& s = m.surface;
+    Borders borders;
+    for (const std::int32_t i : m.component.triangles)
+        for (std::size_t e = 0; e < 3; ++e) {
+            const std::int32_t j = s.adjacency.neighbours[i][e];
+            if (!m.is_own(j) || m.cell_of[j] == m.cell_of[i]) continue;
+            const std::int32_t a = piece_of[m.cell_of[i]], b = piece_of[m.cell_of[j]];
+            if (a == b || m.cells[a].kind != Solidity::board || m.cells[b].kind != Solidity::board) continue;
+            const auto& corners = s.mesh.triangles[i];
+            const Vec3 &from = s.mesh.positions[corners[e]], &to = s.mesh.positions[corners[(e + 1) % 3]];
+            const Vec3 place = (from + to) / 2 - origin;
+            Border& border = borders[std::minmax(a, b)];
+            border.length += (to - from).norm();
+            border.sum += (to - from).norm() * place;
+            border.spread += (to - from).norm() * place * place.transpose();
+        }
+    return borders;
+}
+
 /// Whether the outline turns a corner between two pieces of a board: one is out of the other's sight for a good
 /// part, unlike the tip of a triangle or of an ellipse.
 bool is_corner_between(const CellMap& m, const std::vector<std::int32_t>& piece_of, std::int32_t a, std::int32_t b) {
@@ -118,22 +141,8 @@ std::vector<PartedBoards> part_narrow_boards(const CellMap& m, Sets& sets) {
     std::vector<Vec3> centre(m.cells.size(), Vec3::Zero());
     for (const std::int32_t i : m.component.triangles)
         centre[piece_of[m.cell_of[i]]] += s.geometry.areas[i] * s.geometry.barycentres[i];
-    std::map<std::pair<std::int32_t, std::int32_t>, Border> borders;
     const Vec3& origin = s.geometry.barycentres[m.component.triangles.front()];
-    for (const std::int32_t i : m.component.triangles)
-        for (std::size_t e = 0; e < 3; ++e) {
-            const std::int32_t j = s.adjacency.neighbours[i][e];
-            if (!m.is_own(j) || m.cell_of[j] == m.cell_of[i]) continue;
-            const std::int32_t a = piece_of[m.cell_of[i]], b = piece_of[m.cell_of[j]];
-            if (a == b || m.cells[a].kind != Solidity::board || m.cells[b].kind != Solidity::board) continue;
-            const auto& corners = s.mesh.triangles[i];
-            const Vec3 &from = s.mesh.positions[corners[e]], &to = s.mesh.positions[corners[(e + 1) % 3]];
-            const Vec3 place = (from + to) / 2 - origin;
-            Border& border = borders[std::minmax(a, b)];
-            border.length += (to - from).norm();
-            border.sum += (to - from).norm() * place;
-            border.spread += (to - from).norm() * place * place.transpose();
-        }
+    const Borders borders = borders_between(m, piece_of, origin);
     for (const auto& [pair, border] : borders) {
         const auto [a, b] = pair;
         if (!(border.length > 0 && area[a] > 0 && area[b] > 0)) {
