@@ -112,6 +112,13 @@ std::vector<Measure> built_in_measures() {
         {"foot height", "1", "height of the region's lowest point, 0 ground to 1 top of the object", false,
          Effort::on_demand,
          [](const Object& o, const RegionMeasurements& r) { return ratio(r.low - o.low, o.high - o.low); }},
+        {"level height", "1",
+         "height of the middle of the region over that of the object's main level, where most of what looks up lies: "
+         "below 1 under a seat or a top, above 1 over it",
+         false, Effort::on_demand,
+         [](const Object& o, const RegionMeasurements& r) {
+             return ratio((r.low + r.high) / 2 - o.low, main_level(o));
+         }},
         {"length inclination", "degrees", "angle of the longest side of the smallest oriented box to the horizontal",
          false, Effort::on_demand, length_inclination},
         {"side offset", "1",

@@ -13,10 +13,12 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <numeric>
 
 #include "algorithms/appearance.h"
 #include "base/errors.h"
@@ -97,6 +99,7 @@ Object make_object(TriangleMesh mesh, const Placement& placement, int threads, b
     object.geometry = compute_geometry(object.mesh);
     object.placement = placement;
     object.middle.reset();
+    object.level.reset();
     stand(object);
     const auto start = std::chrono::steady_clock::now();
     object.tree = std::make_shared<const RayTree>(object.mesh, threads);
@@ -109,6 +112,7 @@ Object make_object(TriangleMesh mesh, const Placement& placement, int threads, b
 void place(Object& object, const Placement& placement) {
     object.placement = placement;
     object.middle.reset();
+    object.level.reset();
     stand(object);
 }
 
@@ -154,6 +158,35 @@ const MiddlePlane& middle_plane(const Object& object) {
             plane.half_width = std::max(plane.half_width, std::abs(offset));
         }
     return plane;
+}
+
+double main_level(const Object& object) {
+    if (object.level) return *object.level;
+    constexpr double flat_enough = 0.7, nearly = 0.8;  // cosine between normal and up; of the most
+    constexpr std::size_t steps = 64, span = 4;        // of the height; of them a level may take
+    std::array<double, steps> areas{}, moments{};
+    const double height = object.high - object.low;
+    object.level = height;
+    if (!(height > 0)) return height;
+    for (std::size_t t = 0; t < object.mesh.triangles.size(); ++t) {
+        const double cosine = object.geometry.normals[t].dot(object.placement.up);
+        if (cosine < flat_enough) continue;
+        const double above = object.geometry.barycentres[t].dot(object.placement.up) - object.low;
+        const auto step = static_cast<std::size_t>(std::clamp(above / height, 0.0, 1.0) * (steps - 1));
+        areas[step] += cosine * object.geometry.areas[t];
+        moments[step] += cosine * object.geometry.areas[t] * above;
+    }
+    const auto around = [](const std::array<double, steps>& values, std::size_t first) {
+        return std::accumulate(values.begin() + first, values.begin() + first + span, 0.0);
+    };
+    double most = 0;
+    for (std::size_t first = 0; first + span <= steps; ++first) most = std::max(most, around(areas, first));
+    if (!(most > 0)) return height;
+    std::size_t best = steps - span;
+    while (around(areas, best) < nearly * most) --best;
+    while (best > 0 && around(areas, best - 1) > around(areas, best)) --best;  // all of the level, not its upper edge
+    object.level = around(moments, best) / around(areas, best);
+    return *object.level;
 }
 
 RegionMeasurements measure_region(const Object& object, const PartRegion& part) {

@@ -67,6 +67,7 @@ struct Object {
     mutable std::optional<double> length;  ///< of the smallest box around all of it, once a question needed it
     mutable std::optional<double> area;    ///< of its surface, the same
     mutable std::optional<MiddlePlane> middle;        ///< as it stands, the same: middle_plane
+    mutable std::optional<double> level;              ///< as it stands, the same: main_level
     mutable std::shared_ptr<const CalmSurface> calm;  ///< once a question needed it: calm_surface
     std::shared_ptr<const Appearance> appearance;     ///< null: no colours, or nothing asks for them; see paint
 };
@@ -115,6 +116,10 @@ struct RegionMeasurements {
 /// asked for. Where an object has a back, what is high lies behind what is low: the horizontal direction in which
 /// height grows is the way back.
 [[nodiscard]] const MiddlePlane& middle_plane(const Object& object);
+
+/// How high, above the object's lowest point and in file units, most of the surface that looks up lies: the seat of a
+/// chair, the top of a table. Of two levels with nearly as much the higher one. Found the first time that it is asked for.
+[[nodiscard]] double main_level(const Object& object);
 
 /// Shoots some rays up and down, the first time that it is called for a region.
 [[nodiscard]] const Surroundings& look_around(const Object& object, const RegionMeasurements& region);

@@ -1,9 +1,8 @@
 // Who gets what is left: fillets, the ends of legs, small bits between parts.
 //
 // All parts grow over the free triangles at once, along the surface, nearest first (Dijkstra). A step over a concave
-// bend is long, in proportion to the part's thickness, and longer for sticks than for boards: a fillet between a leg
-// and a seat is thus the seat's, as people draw it. Between exact planes a board hardly grows out of its slab along a
-// flat face. Ties go by triangle number. Cost: O(m log m) for m free triangles.
+// bend is long, in proportion to the part's thickness. Between exact planes a board hardly grows out of its slab along
+// a flat face. Ties go by triangle number. Cost: O(m log m) for m free triangles.
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -28,7 +27,7 @@ struct Step {
 };
 
 constexpr double outside_exact = 20, flat_turn = 1e-4;
-constexpr double stick_crease = 20, board_crease = 5;
+constexpr double concave = 5;  // thicknesses that a right angle inward is long
 
 }  // namespace
 
@@ -41,9 +40,8 @@ void fill(const Surface& s, Parts& parts) {
             if (j < 0 || parts.part_of[j] >= 0) continue;
             const Vec3 way = s.geometry.barycentres[j] - s.geometry.barycentres[from];
             const double turn = 1 - s.geometry.normals[from].dot(s.geometry.normals[j]);
-            const bool concave = way.dot(s.geometry.normals[from] - s.geometry.normals[j]) > 0;
-            const double factor = parts.parts[part].kind == Solidity::stick ? stick_crease : board_crease;
-            const double crease = concave ? factor * turn * parts.parts[part].thickness : 0;
+            const bool is_concave = way.dot(s.geometry.normals[from] - s.geometry.normals[j]) > 0;
+            const double crease = is_concave ? concave * turn * parts.parts[part].thickness : 0;
             const double u = (s.geometry.barycentres[j] - parts.parts[part].middle).dot(parts.parts[part].normal);
             const bool outside =
                 parts.parts[part].is_exact && turn < flat_turn && std::abs(u) > 1.05 * parts.parts[part].half;

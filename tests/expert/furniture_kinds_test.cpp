@@ -153,6 +153,22 @@ TEST(FurnitureParts, AColumnOnAFootIsALeg) {
     EXPECT_EQ(annotation.labels[12], "Leg");
 }
 
+TEST(FurnitureParts, StretchersBelongToTheLegs) {
+    for (const double outside : {0.0, 0.1}) {  // legs that lean outward carry their stretchers in the open
+        SCOPED_TRACE(outside);
+        std::vector<Box> all{{Vec3(0, 0, 0.43), Vec3(0.44, 0.44, 0.47)}, {Vec3(0, 0.42, 0.47), Vec3(0.44, 0.44, 0.9)}};
+        const double low = 0.02 - outside, high = 0.38 + outside;
+        for (const double x : {low, high})
+            for (const double y : {low, high}) all.push_back({Vec3(x, y, 0), Vec3(x + 0.04, y + 0.04, 0.43)});
+        const std::size_t legs = all.size();
+        for (const double x : {low, high}) all.push_back({Vec3(x + 0.01, low + 0.04, 0.2), Vec3(x + 0.03, high, 0.22)});
+        for (const double y : {low, high}) all.push_back({Vec3(low + 0.04, y + 0.01, 0.3), Vec3(high, y + 0.03, 0.33)});
+        const Annotation annotation = Furniture::get().annotate(boxes(all));
+        EXPECT_EQ(annotation.classes, std::vector<std::string>{"Chair"});
+        for (std::size_t box = legs; box < all.size(); ++box) EXPECT_EQ(annotation.labels[12 * box], "Leg") << box;
+    }
+}
+
 TEST(FurnitureParts, LeaningRailsAreNoArmrests) {
     // No rail is below another one: the back leans.
     EXPECT_EQ(names_of_back({{Vec3(0.04, 0.40, 0.58), Vec3(0.4, 0.42, 0.66)},
