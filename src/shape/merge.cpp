@@ -145,6 +145,23 @@ bool is_same_place(const Lie& a, const Lie& b, double thickness) {
     return (way - along * b.axis).norm() < beside * thickness && std::abs(along) < (a.length + b.length) / 4;
 }
 
+using Borders = PairMap<Border>;
+
+/// Whether two sticks in line meet between the walls of a board that lies across both of them, as a rear leg and its
+/// back post do beside the seat.
+bool is_crossed(const Parts& parts, const Borders& borders, std::int32_t a, std::int32_t b, const Border& common,
+                const Vec3& axis) {
+    constexpr double across = 0.7;
+    for (std::size_t k = 0; k < parts.parts.size(); ++k) {
+        const Core& board = parts.parts[k];
+        if (board.kind != Solidity::board || !(board.half > 0) || std::abs(axis.dot(board.normal)) < across) continue;
+        if (std::abs((common.centre() - board.middle).dot(board.normal)) > board.half) continue;
+        const auto number = static_cast<std::int32_t>(k);
+        if (borders.all.contains({a, number}) && borders.all.contains({b, number})) return true;
+    }
+    return false;
+}
+
 /// Whether the middle of a part lies between the walls of a board, continued.
 bool is_within(const Lie& lie, const Core& board) {
     return board.half > 0 && std::abs((lie.middle - board.middle).dot(board.normal)) < 0.75 * board.half;
@@ -212,7 +229,7 @@ void merge_parts(const Surface& s, Parts& parts) {
                 seen.at(own, parts.part_of[o]) += s.geometry.areas[i];
         }
         std::vector<double> border(parts.parts.size(), 0.0), free(parts.parts.size(), 0.0);  // to parts, to none
-        PairMap<Border> borders;
+        Borders borders;
         for (std::size_t i = 0; i < s.count(); ++i)
             for (int e = 0; e < 3; ++e) {
                 const std::int32_t own = parts.part_of[i], j = s.adjacency.neighbours[i][e];
@@ -279,6 +296,7 @@ void merge_parts(const Surface& s, Parts& parts) {
                                   is_section(common, lie_of(a), area[a]) && is_section(common, lie_of(b), area[b])) &&
                   goes_on(common, lie_of(a), lie_of(b), thin, thick)))
                 continue;
+            if (!is_noisy && are_sticks && is_crossed(parts, borders, a, b, common, lie_of(b).axis)) continue;
             seen.at(a, b) += area[a];
         }
         std::vector<std::int32_t> into(parts.parts.size(), -1);
