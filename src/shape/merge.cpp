@@ -131,7 +131,7 @@ bool is_section(const Border& border, const Lie& lie, double surface) {
 /// Whether the ring between a thin piece and a thick one is the foot of something thin: the thick one ends there, or
 /// goes on beside it.
 bool is_step(const Border& border, double thin, double thick) {
-    constexpr double closed = 0.1, least_section = 0.4;
+    constexpr double closed = 0.2, least_section = 0.4;
     return thick > noise_of_thickness * thin && border.start_to_end.norm() < closed * border.length &&
            border.area().norm() < least_section * thick * thick;
 }
