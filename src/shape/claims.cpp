@@ -230,6 +230,7 @@ void cut_at_boards(const Surface& s, const std::vector<Board>& boards, Parts& pa
             if (share_near(s, within, parts.parts[b], 2 * (stick.thickness + parts.parts[b].thickness)) == 0) continue;
             for (const std::int32_t i : within) parts.part_of[i] = -1;
             std::erase_if(parts.parts[k].triangles, [&](std::int32_t i) { return parts.part_of[i] < 0; });
+            if (parts.parts[k].cut < 0) parts.parts[k].cut = static_cast<std::int32_t>(k);
             split_into_pieces(s, parts, static_cast<std::int32_t>(k));
         }
     }

@@ -29,6 +29,7 @@ struct Core {
     double half = 0;
     double width = 0;          ///< across a board, in its plane
     std::int32_t family = -1;  ///< the same for boards that were parted because one is narrower than the other
+    std::int32_t cut = -1;     ///< the same for pieces of one stick that a board crosses
 };
 
 /// Cores of all parts, those with the largest area first, and per triangle the number of its core or -1.

@@ -147,11 +147,12 @@ bool is_same_place(const Lie& a, const Lie& b, double thickness) {
 
 using Borders = PairMap<Border>;
 
-/// Whether two sticks in line meet between the walls of a board that lies across both of them, as a rear leg and its
-/// back post do beside the seat.
+/// Whether a board lies across the place where two sticks in line meet, as the seat does where a rear leg becomes a back
+/// post.
 bool is_crossed(const Parts& parts, const Borders& borders, std::int32_t a, std::int32_t b, const Border& common,
                 const Vec3& axis) {
     constexpr double across = 0.7;
+    if (parts.parts[a].cut >= 0 && parts.parts[a].cut == parts.parts[b].cut) return true;
     for (std::size_t k = 0; k < parts.parts.size(); ++k) {
         const Core& board = parts.parts[k];
         if (board.kind != Solidity::board || !(board.half > 0) || std::abs(axis.dot(board.normal)) < across) continue;
