@@ -48,9 +48,9 @@ ExampleObject armchair(const std::string& wrong = {}) {
     const bool is_low = wrong == "BackrestNotAboveSeat";
     add_box(solid, is_low ? "wrong" : "Backrest", {0, is_low ? 1.6 : 0.46, 0.52}, {0.5, is_low ? 1.64 : 0.5, 0.92});
     for (const double x : {-0.06, 0.52}) {
-        const bool is_wrong = wrong == "ArmrestNotBesideSeat" && x > 0;  // hangs between the legs
-        const double foot = is_wrong ? 0.1 : 0.44;
-        add_box(solid, is_wrong ? "wrong" : "Armrest", {x, 0.06, foot}, {x + 0.04, 0.44, foot + 0.22});
+        const bool is_wrong = wrong == "ArmrestNotBesideSeat" && x > 0;
+        const double aside = is_wrong ? 0.4 : 0;
+        add_box(solid, is_wrong ? "wrong" : "Armrest", {x + aside, 0.06, 0.44}, {x + aside + 0.04, 0.44, 0.66});
     }
     return std::move(solid).finish("armchair", "Armchair", wrong);
 }
@@ -75,6 +75,20 @@ TEST(FurnitureRelations, AGoodArmchair) {
         for (std::size_t t = 0; t < object.labels.size(); ++t)
             EXPECT_EQ(annotation.labels[t], names.at(object.labels[t])) << t;
     }
+}
+
+TEST(FurnitureRelations, StretchersNeedNotStand) {
+    Solid solid;
+    add_box(solid, "Seat", {0, 0, 0.40}, {0.5, 0.5, 0.44});
+    for (const double x : {0.0, 0.46}) {
+        for (const double y : {0.0, 0.46}) add_box(solid, "Leg", {x, y, 0}, {x + 0.04, y + 0.04, 0.40});
+        add_box(solid, "Leg", {x + 0.01, 0.04, 0.15}, {x + 0.03, 0.46, 0.17});
+    }
+    add_box(solid, "Backrest", {0, 0.46, 0.52}, {0.5, 0.5, 0.92});
+    const ExampleObject object = std::move(solid).finish("chair", "Chair", {});
+    const Annotation annotation = WithRelations::get().annotate(object.mesh);
+    EXPECT_EQ(annotation.classes, Names{"Chair"});
+    EXPECT_TRUE(annotation.consistent);
 }
 
 TEST(FurnitureRelations, APartInAWrongPlaceIsBlamed) {
