@@ -2,8 +2,12 @@
 
 #include <embree3/rtcore.h>
 
+#include <atomic>
 #include <chrono>
 #include <limits>
+#include <string>
+
+#include "base/ranges.h"
 
 namespace partonomy::bench {
 namespace {
@@ -14,9 +18,10 @@ double ms_since(std::chrono::steady_clock::time_point start) {
 
 }  // namespace
 
-EmbreeTimes time_embree(const TriangleMesh& mesh, const TriangleGeometry& geometry) {
+EmbreeTimes time_embree(const TriangleMesh& mesh, const TriangleGeometry& geometry, int threads) {
     EmbreeTimes times;
-    RTCDevice device = rtcNewDevice("threads=1,set_affinity=0");
+    const std::string config = "threads=" + std::to_string(threads) + ",set_affinity=0";
+    RTCDevice device = rtcNewDevice(config.c_str());
     auto start = std::chrono::steady_clock::now();
     RTCScene scene = rtcNewScene(device);
     RTCGeometry triangles = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -36,30 +41,34 @@ EmbreeTimes time_embree(const TriangleMesh& mesh, const TriangleGeometry& geomet
     times.build = ms_since(start);
 
     start = std::chrono::steady_clock::now();
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    double sum = 0;
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        RTCRayHit ray{};
-        const Vec3& from = geometry.barycentres[t];
-        const Vec3& normal = geometry.normals[t];
-        ray.ray.org_x = static_cast<float>(from[0]);
-        ray.ray.org_y = static_cast<float>(from[1]);
-        ray.ray.org_z = static_cast<float>(from[2]);
-        ray.ray.dir_x = static_cast<float>(-normal[0]);
-        ray.ray.dir_y = static_cast<float>(-normal[1]);
-        ray.ray.dir_z = static_cast<float>(-normal[2]);
-        ray.ray.tnear = 1e-6F;
-        ray.ray.tfar = std::numeric_limits<float>::infinity();
-        ray.ray.mask = ~0U;
-        ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-        rtcIntersect1(scene, &context, &ray);
-        if (ray.hit.geomID != RTC_INVALID_GEOMETRY_ID) sum += static_cast<double>(ray.ray.tfar);
-    }
+    std::atomic<std::size_t> met = 0;
+    for_each_range(mesh.triangles.size(), threads, [&](std::size_t begin, std::size_t end) {
+        RTCIntersectContext context;
+        rtcInitIntersectContext(&context);
+        std::size_t hits = 0;
+        for (std::size_t t = begin; t < end; ++t) {
+            RTCRayHit ray{};
+            const Vec3& from = geometry.barycentres[t];
+            const Vec3& normal = geometry.normals[t];
+            ray.ray.org_x = static_cast<float>(from[0]);
+            ray.ray.org_y = static_cast<float>(from[1]);
+            ray.ray.org_z = static_cast<float>(from[2]);
+            ray.ray.dir_x = static_cast<float>(-normal[0]);
+            ray.ray.dir_y = static_cast<float>(-normal[1]);
+            ray.ray.dir_z = static_cast<float>(-normal[2]);
+            ray.ray.tnear = 1e-6F;
+            ray.ray.tfar = std::numeric_limits<float>::infinity();
+            ray.ray.mask = ~0U;
+            ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+            rtcIntersect1(scene, &context, &ray);
+            hits += ray.hit.geomID != RTC_INVALID_GEOMETRY_ID;
+        }
+        met += hits;
+    });
     times.rays = ms_since(start);
     rtcReleaseScene(scene);
     rtcReleaseDevice(device);
-    return sum >= 0 ? times : EmbreeTimes{};
+    return met > 0 ? times : EmbreeTimes{};
 }
 
 }  // namespace partonomy::bench

@@ -6,6 +6,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace partonomy {
 
@@ -26,6 +27,14 @@ void for_each_range(std::size_t count, int threads, const std::function<void(std
         all();  // an arena of one's own costs more than a small mesh gains
     else
         tbb::task_arena(threads).execute(all);
+}
+
+double sum(std::span<const double> values, int threads) {
+    const std::vector<double> sums = map_blocks(values.size(), threads, [&](std::size_t begin, std::size_t end) {
+        const auto block = values.subspan(begin, end - begin);
+        return std::accumulate(block.begin(), block.end(), 0.0);
+    });
+    return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
 
 }  // namespace partonomy

@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "base/ranges.h"
 
@@ -342,24 +341,20 @@ void claim(const Surface& s, const Vec3& up, Parts& parts) {
     for (const auto& [number, fit] : boards) slab.grow(number, fit);
 }
 
-void found_new_parts(const Surface& s, Parts& parts) {
-    const double total = std::accumulate(s.geometry.areas.begin(), s.geometry.areas.end(), 0.0);
-    std::vector<char> seen(s.count(), 0);
-    for (std::size_t start = 0; start < s.count(); ++start) {
-        if (parts.part_of[start] >= 0 || seen[start]) continue;
-        std::vector<std::int32_t> piece{static_cast<std::int32_t>(start)};
-        seen[start] = 1;
+Groups free_pieces(const Surface& s, const Parts& parts) {
+    const Pieces pieces = find_pieces(s.adjacency, s.threads, [&](std::int32_t i, std::int32_t j) {
+        return parts.part_of[i] < 0 && parts.part_of[j] < 0;
+    });
+    return group_members(pieces.piece_of, pieces.size(), s.threads);
+}
+
+void found_new_parts(const Surface& s, const Groups& free_pieces, Parts& parts) {
+    const double total = sum(s.geometry.areas, s.threads);
+    for (std::size_t k = 0; k < free_pieces.size(); ++k) {
+        const auto piece = free_pieces[k];
         double area = 0, facing = 0;
-        for (std::size_t at = 0; at < piece.size(); ++at) {
-            area += s.geometry.areas[piece[at]];
-            for (const std::int32_t j : s.adjacency.neighbours[piece[at]])
-                if (j >= 0 && parts.part_of[j] < 0 && !seen[j]) {
-                    seen[j] = 1;
-                    piece.push_back(j);
-                }
-        }
+        for (const std::int32_t i : piece) area += s.geometry.areas[i];
         if (area < 2e-3 * total) continue;
-        std::sort(piece.begin(), piece.end());
         for (const std::int32_t i : piece) {
             const std::int32_t o = s.thickness.opposites[i];
             // Noise makes neighbours face each other: such a ray goes hardly deeper than the triangle is large.
@@ -369,7 +364,7 @@ void found_new_parts(const Surface& s, Parts& parts) {
         if (facing < 0.6 * area) continue;
         Core core;
         core.kind = Solidity::stick;
-        core.triangles = piece;
+        core.triangles.assign(piece.begin(), piece.end());
         core.area = area;
         std::vector<float> all;
         for (const std::int32_t i : piece) all.push_back(s.thickness.distances[i]);

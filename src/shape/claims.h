@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "shape/cores.h"
+#include "shape/pieces.h"
 
 namespace partonomy {
 
@@ -19,14 +20,18 @@ struct Parts {
 /// continued.
 void claim(const Surface& surface, const Vec3& up, Parts& parts);
 
+/// The triangles without a part, in pieces that hang together.
+[[nodiscard]] Groups free_pieces(const Surface& surface, const Parts& parts);
+
 /// Free pieces that face themselves across their own thickness become parts: sticks whose walls are not parallel.
-void found_new_parts(const Surface& surface, Parts& parts);
+void found_new_parts(const Surface& surface, const Groups& free_pieces, Parts& parts);
 
 /// Joins a part to the one that most of it faces: two walls of one stick are one stick.
 void merge_parts(const Surface& surface, Parts& parts);
 
-/// Gives every triangle that is still free to the part that reaches it first; concave creases are far to cross.
-void fill(const Surface& surface, Parts& parts);
+/// Gives every triangle that is still free to the part that reaches it first; concave creases are far to cross. Pieces
+/// that have become parts are passed.
+void fill(const Surface& surface, const Groups& free_pieces, Parts& parts);
 
 /// Moves the borders between parts to creases nearby.
 void settle_borders(const Surface& surface, Parts& parts);

@@ -6,10 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <utility>
 
-#include "shape/sets.h"
+#include "shape/pieces.h"
 
 namespace partonomy {
 
@@ -33,9 +32,11 @@ Facing look_across(const Surface& s, const Adjacency& adjacency, const std::vect
     constexpr double thin = 0.15;   // of the piece's width
     Facing facing_of{Sets(pieces), std::vector<char>(pieces, 0)};
     Sets shells(pieces);
-    for (std::size_t i = 0; i < piece_of.size(); ++i)
-        for (const std::int32_t j : adjacency.neighbours[i])
-            if (j >= 0 && piece_of[j] != piece_of[i]) shells.join(piece_of[i], piece_of[j]);
+    for_each_range(piece_of.size(), s.threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            for (const std::int32_t j : adjacency.neighbours[i])
+                if (j >= 0 && piece_of[j] != piece_of[i]) shells.join(piece_of[i], piece_of[j]);
+    });
     struct Faced {
         double area = 0, volume = 0;
     };
@@ -69,36 +70,23 @@ Facing look_across(const Surface& s, const Adjacency& adjacency, const std::vect
 
 void connect(const Surface& s, const TriangleMesh& mesh, const Adjacency& adjacency, const TriangleGeometry& geometry,
              std::vector<std::int32_t>& part_of) {
-    const double total = std::accumulate(geometry.areas.begin(), geometry.areas.end(), 0.0);
+    const double total = sum(geometry.areas, s.threads);
     for (int round = 0; round < 8; ++round) {
-        const std::size_t count = part_of.size();
-        std::vector<std::int32_t> piece_of(count, -1);
-        std::vector<std::vector<std::int32_t>> pieces;
-        std::vector<double> area;
-        for (std::size_t start = 0; start < count; ++start) {
-            if (piece_of[start] >= 0) continue;
-            const auto number = static_cast<std::int32_t>(pieces.size());
-            std::vector<std::int32_t> piece{static_cast<std::int32_t>(start)};
-            piece_of[start] = number;
-            double sum = 0;
-            for (std::size_t at = 0; at < piece.size(); ++at) {
-                sum += geometry.areas[piece[at]];
-                for (const std::int32_t j : adjacency.neighbours[piece[at]])
-                    if (j >= 0 && piece_of[j] < 0 && part_of[j] == part_of[start]) {
-                        piece_of[j] = number;
-                        piece.push_back(j);
-                    }
-            }
-            pieces.push_back(std::move(piece));
-            area.push_back(sum);
-        }
+        const auto& [piece_of, lowest] = find_pieces(
+            adjacency, s.threads, [&](std::int32_t i, std::int32_t j) { return part_of[i] == part_of[j]; });
         std::int32_t parts = 0;
-        for (const std::int32_t part : part_of) parts = std::max(parts, part + 1);
         std::vector<std::int32_t> owners;
-        for (const std::vector<std::int32_t>& piece : pieces)
-            if (const std::int32_t part = part_of[piece.front()]; part >= 0) owners.push_back(part);
+        for (const std::int32_t first : lowest)
+            if (const std::int32_t part = part_of[first]; part >= 0) {
+                owners.push_back(part);
+                parts = std::max(parts, part + 1);
+            }
         std::sort(owners.begin(), owners.end());
         const bool is_whole = std::adjacent_find(owners.begin(), owners.end()) == owners.end();
+        if (is_whole && owners.size() == lowest.size()) break;
+        const Groups pieces = group_members(piece_of, lowest.size(), s.threads);
+        std::vector<double> area(pieces.size(), 0.0);
+        for (std::size_t i = 0; i < part_of.size(); ++i) area[piece_of[i]] += geometry.areas[i];
         Facing facing = is_whole ? Facing{Sets(pieces.size()), std::vector<char>(pieces.size(), 0)}
                                  : look_across(s, adjacency, part_of, piece_of, pieces.size());
         const auto set_of = [&](std::size_t piece) { return facing.sheets.find(static_cast<std::int32_t>(piece)); };

@@ -32,12 +32,11 @@
 #include <cmath>
 #include <iterator>
 #include <numbers>
-#include <numeric>
 
 #include "base/ranges.h"
 #include "shape/divide.h"
+#include "shape/pieces.h"
 #include "shape/plain_pieces.h"
-#include "shape/sets.h"
 
 namespace partonomy {
 
@@ -47,7 +46,8 @@ const double parallel_cosine = std::cos(30 * std::numbers::pi / 180);
 const double slanted_cosine = std::cos(65 * std::numbers::pi / 180);
 const double crease_cosine = std::cos(30 * std::numbers::pi / 180);
 constexpr double odd_thickness = 1.8;
-constexpr double least_share = 1e-3;  // of the whole surface: less is no part
+constexpr double least_share = 1e-3;          // of the whole surface: less is no part
+constexpr std::size_t least_triangles = 4;    // of a component
 
 /// How alike neighbours must be to belong to one component.
 struct Likeness {
@@ -86,19 +86,22 @@ std::vector<Core> find_components(const Surface& s, const std::vector<char>& tak
             if (alike(i, opposite[i])) sets.join(self, opposite[i]);
         }
     });
-    std::vector<std::int32_t> number(count, -1);
-    std::vector<Core> components;
-    for (std::size_t i = 0; i < count; ++i) {
-        if (!wall[i]) continue;
-        const std::int32_t root = sets.find(static_cast<std::int32_t>(i));
-        if (number[root] < 0) {
-            number[root] = static_cast<std::int32_t>(components.size());
-            components.emplace_back();
-        }
-        Core& component = components[number[root]];
-        component.triangles.push_back(static_cast<std::int32_t>(i));
-        component.area += s.geometry.areas[i];
-    }
+    const Pieces pieces = number_sets(sets, count, s.threads, [&](std::int32_t i) { return wall[i] != 0; });
+    const Groups groups = group_members(pieces.piece_of, pieces.size(), s.threads);
+    std::vector<std::size_t> large;
+    for (std::size_t k = 0; k < groups.size(); ++k)
+        if (groups[k].size() >= least_triangles) large.push_back(k);
+    std::vector<Core> components(large.size());
+    for_each_range(
+        large.size(), s.threads,
+        [&](std::size_t begin, std::size_t end) {
+            for (std::size_t k = begin; k < end; ++k) {
+                const auto triangles = groups[large[k]];
+                components[k].triangles.assign(triangles.begin(), triangles.end());
+                for (const std::int32_t i : triangles) components[k].area += s.geometry.areas[i];
+            }
+        },
+        16);
     return components;
 }
 
@@ -126,8 +129,8 @@ std::vector<Core> divide(const Surface& s, std::vector<Core> components, double 
         [&](std::size_t begin, std::size_t end) {
             for (std::size_t k = begin; k < end; ++k) {
                 Core& component = components[k];
-                if (component.triangles.size() >= 4) component.thickness = median_thickness(s, component.triangles);
-                if (component.triangles.size() < 4 || too_small(component)) {
+                component.thickness = median_thickness(s, component.triangles);
+                if (too_small(component)) {
                     component.triangles.clear();
                     continue;
                 }
@@ -181,7 +184,7 @@ bool is_slim(const Surface& s, const Core& stick) {
 }  // namespace
 
 Cores find_cores(const Surface& s) {
-    const double total = std::accumulate(s.geometry.areas.begin(), s.geometry.areas.end(), 0.0);
+    const double total = sum(s.geometry.areas, s.threads);
     std::vector<char> taken(s.count(), 0);
     std::vector<Core> cores = divide(s, find_components(s, taken, {parallel_cosine, 1.25}), total, 1, false);
     for (const Core& core : cores)

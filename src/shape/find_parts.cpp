@@ -39,6 +39,7 @@
 #include "shape/find_scene_parts.h"
 #include "shape/find_solids.h"
 #include "shape/part_box.h"
+#include "shape/pieces.h"
 #include "shape/refine.h"
 #include "shape/surface.h"
 
@@ -73,7 +74,7 @@ std::vector<std::int32_t> vote(const Surface& s, const std::vector<std::int32_t>
 
 /// The solids of the mesh that rays meet: the fine one, or the caller's.
 std::vector<std::int32_t> solids_of(const Surface& s, const TriangleMesh* callers) {
-    std::vector<std::int32_t> fine = find_solids(s.mesh, s.adjacency);
+    std::vector<std::int32_t> fine = find_solids(s.mesh, s.adjacency, s.threads);
     if (fine.empty() || callers == nullptr || callers->triangles.size() == fine.size()) return fine;
     std::vector<std::int32_t> solids(callers->triangles.size(), -1);
     for (std::size_t i = 0; i < fine.size(); ++i) solids[s.mesh.input_faces[i]] = fine[i];
@@ -84,23 +85,22 @@ std::vector<std::int32_t> solids_of(const Surface& s, const TriangleMesh* caller
 
 std::vector<PartRegion> collect_parts(const TriangleMesh& mesh, const TriangleGeometry& geometry,
                                       const std::vector<std::int32_t>& part_of, bool is_noisy, int threads) {
-    std::vector<std::int32_t> number;  // parts by their lowest triangle
-    std::vector<PartRegion> regions;
-    for (std::size_t i = 0; i < part_of.size(); ++i) {
-        const std::int32_t part = part_of[i];
-        if (part < 0) continue;
-        if (static_cast<std::size_t>(part) >= number.size()) number.resize(static_cast<std::size_t>(part) + 1, -1);
-        if (number[part] < 0) {
-            number[part] = static_cast<std::int32_t>(regions.size());
-            regions.emplace_back();
-        }
-        regions[number[part]].region.triangles.push_back(static_cast<std::int32_t>(i));
-    }
+    std::vector<std::int32_t> highest = map_blocks(part_of.size(), threads, [&](std::size_t begin, std::size_t end) {
+        return *std::max_element(part_of.begin() + begin, part_of.begin() + end);
+    });
+    const std::size_t parts = highest.empty() ? 0 : static_cast<std::size_t>(1 + std::ranges::max(highest));
+    const Groups members = group_members(part_of, parts, threads);
+    std::vector<std::size_t> order;  // parts by their lowest triangle
+    for (std::size_t part = 0; part < parts; ++part)
+        if (!members[part].empty()) order.push_back(part);
+    std::ranges::sort(order, {}, [&](std::size_t part) { return members[part].front(); });
+    std::vector<PartRegion> regions(order.size());
     for_each_range(
         regions.size(), threads,
         [&](std::size_t begin, std::size_t end) {
             for (std::size_t k = begin; k < end; ++k) {
                 PartRegion& part = regions[k];
+                part.region.triangles.assign(members[order[k]].begin(), members[order[k]].end());
                 PartBox measured = measure_part(mesh, geometry, part.region.triangles, is_noisy, threads);
                 part.region.memberships = std::move(measured.memberships);
                 part.box = measured.box;
@@ -148,10 +148,13 @@ std::vector<PartRegion> find_parts(const TriangleMesh& mesh, const FindPartsOpti
     Parts parts{std::move(cores.cores), std::move(cores.core_of)};
     if (options.is_joined) merge_parts(s, parts);  // walls of one stick that were found apart are no rims
     claim(s, options.up, parts);
-    found_new_parts(s, parts);
-    clock.done("claims");
-    s.scene.reset();
-    fill(s, parts);
+    {
+        const Groups free = free_pieces(s, parts);
+        found_new_parts(s, free, parts);
+        clock.done("claims");
+        s.scene.reset();
+        fill(s, free, parts);
+    }
     clock.done("fill");
     if (options.is_joined) merge_parts(s, parts);
     clock.done("merge");

@@ -19,6 +19,7 @@
 #include <map>
 #include <numbers>
 
+#include "base/ranges.h"
 #include "shape/claims.h"
 
 namespace partonomy {
@@ -35,6 +36,9 @@ struct PairMap {
         if (last == nullptr || last->first != Key(a, b)) last = &*all.try_emplace({a, b}).first;
         return last->second;
     }
+    void operator+=(const PairMap& other) {
+        for (const auto& [pair, value] : other.all) at(pair.first, pair.second) += value;
+    }
 
 private:
     std::pair<const Key, Value>* last = nullptr;
@@ -47,32 +51,55 @@ struct Lie {
     Vec3 inside = Vec3::Zero();  ///< mean of the points halfway between its walls
 };
 
+/// What the lie of a part follows from.
+struct LieSums {
+    double area = 0, walls = 0;
+    Vec3 sum = Vec3::Zero(), inside = Vec3::Zero();
+    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+
+    void operator+=(const LieSums& other) {
+        area += other.area;
+        walls += other.walls;
+        sum += other.sum;
+        inside += other.inside;
+        spread += other.spread;
+    }
+    [[nodiscard]] Lie lie() const {
+        Lie result;
+        if (!(area > 0)) return result;
+        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(spread / area -
+                                                                   sum * sum.transpose() / (area * area));
+        result.middle = sum / area;
+        result.axis = eigen.eigenvectors().col(2);
+        result.length = std::sqrt(12 * std::max(0.0, eigen.eigenvalues()[2]));  // of a straight line
+        result.inside = walls > 0 ? Vec3(inside / walls) : result.middle;
+        return result;
+    }
+};
+
 std::vector<Lie> lies(const Surface& s, const Parts& parts) {
-    std::vector<Vec3> sum(parts.parts.size(), Vec3::Zero()), inside(parts.parts.size(), Vec3::Zero());
-    std::vector<double> area(parts.parts.size(), 0.0), walls(parts.parts.size(), 0.0);
-    std::vector<Eigen::Matrix3d> spread(parts.parts.size(), Eigen::Matrix3d::Zero());
-    for (std::size_t i = 0; i < s.count(); ++i) {
-        const std::int32_t k = parts.part_of[i];
-        if (k < 0) continue;
-        const Vec3& b = s.geometry.barycentres[i];
-        sum[k] += s.geometry.areas[i] * b;
-        spread[k] += s.geometry.areas[i] * b * b.transpose();
-        area[k] += s.geometry.areas[i];
-        const std::int32_t o = s.thickness.opposites[i];
-        if (o < 0 || parts.part_of[o] != k) continue;
-        inside[k] += s.geometry.areas[i] * (b - s.geometry.normals[i] * (s.thickness.distances[i] / 2.0));
-        walls[k] += s.geometry.areas[i];
-    }
-    std::vector<Lie> result(parts.parts.size());
-    for (std::size_t k = 0; k < result.size(); ++k) {
-        if (!(area[k] > 0)) continue;
-        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(spread[k] / area[k] -
-                                                                   sum[k] * sum[k].transpose() / (area[k] * area[k]));
-        result[k].middle = sum[k] / area[k];
-        result[k].axis = eigen.eigenvectors().col(2);
-        result[k].length = std::sqrt(12 * std::max(0.0, eigen.eigenvalues()[2]));  // of a straight line
-        result[k].inside = walls[k] > 0 ? Vec3(inside[k] / walls[k]) : result[k].middle;
-    }
+    const auto of_blocks = map_blocks(s.count(), s.threads, [&](std::size_t begin, std::size_t end) {
+        std::vector<LieSums> sums(parts.parts.size());
+        for (std::size_t i = begin; i < end; ++i) {
+            const std::int32_t k = parts.part_of[i];
+            if (k < 0) continue;
+            const Vec3& b = s.geometry.barycentres[i];
+            const double area = s.geometry.areas[i];
+            sums[k].area += area;
+            sums[k].sum += area * b;
+            sums[k].spread += area * b * b.transpose();
+            const std::int32_t o = s.thickness.opposites[i];
+            if (o < 0 || parts.part_of[o] != k) continue;
+            sums[k].walls += area;
+            sums[k].inside += area * (b - s.geometry.normals[i] * (s.thickness.distances[i] / 2.0));
+        }
+        return sums;
+    });
+    std::vector<LieSums> all(parts.parts.size());
+    for (const std::vector<LieSums>& some : of_blocks)
+        for (std::size_t k = 0; k < all.size(); ++k) all[k] += some[k];
+    std::vector<Lie> result;
+    for (const LieSums& sums : all) result.push_back(sums.lie());
     return result;
 }
 
@@ -89,6 +116,13 @@ struct Border {
         sum += edge * (from + to) / 2;
         turn += from.cross(to);
         length += edge;
+    }
+    void operator+=(const Border& other) {
+        smooth += other.smooth;
+        start_to_end += other.start_to_end;
+        sum += other.sum;
+        turn += other.turn;
+        length += other.length;
     }
     [[nodiscard]] Vec3 centre() const { return sum / length; }
     /// Across the ring, as long as what it encloses is large.
@@ -211,6 +245,58 @@ bool are_convex_together(const Surface& s, const std::vector<std::int32_t>& a, c
     return static_cast<double>(before) <= few * static_cast<double>(a.size() * b.size());
 }
 
+/// How much of each part there is, and where it faces and meets others.
+struct Encounters {
+    std::vector<double> area;
+    std::vector<double> border, free;  ///< length to parts, and to none
+    PairMap<double> seen;              ///< area of the first that faces the second
+    Borders borders;
+};
+
+void count_encounter(const Surface& s, const Parts& parts, std::size_t i, Encounters& all) {
+    const std::int32_t own = parts.part_of[i], o = s.thickness.opposites[i];
+    if (own < 0) return;
+    all.area[own] += s.geometry.areas[i];
+    if (o >= 0 && parts.part_of[o] >= 0 && parts.part_of[o] != own)
+        all.seen.at(own, parts.part_of[o]) += s.geometry.areas[i];
+    for (int e = 0; e < 3; ++e) {
+        const std::int32_t j = s.adjacency.neighbours[i][e];
+        if (j < 0 || parts.part_of[j] == own) continue;
+        const auto& corners = s.mesh.triangles[i];
+        const Vec3 &from = s.mesh.positions[corners[e]], &to = s.mesh.positions[corners[(e + 1) % 3]];
+        if (parts.part_of[j] < 0) {
+            all.free[own] += (to - from).norm();
+            continue;
+        }
+        Border& common = all.borders.at(own, parts.part_of[j]);
+        common.add(from, to);
+        all.border[own] += (to - from).norm();
+        const bool concave = (s.geometry.barycentres[j] - s.geometry.barycentres[i]).dot(s.geometry.normals[i]) > 0;
+        if (!s.in_crease(i) && (!concave || s.geometry.normals[i].dot(s.geometry.normals[j]) > 0.94))
+            common.smooth += (to - from).norm();
+    }
+}
+
+Encounters count_encounters(const Surface& s, const Parts& parts) {
+    const std::vector<double> none(parts.parts.size(), 0.0);
+    const auto of_blocks = map_blocks(s.count(), s.threads, [&](std::size_t begin, std::size_t end) {
+        Encounters some{none, none, none, {}, {}};
+        for (std::size_t i = begin; i < end; ++i) count_encounter(s, parts, i, some);
+        return some;
+    });
+    Encounters all{none, none, none, {}, {}};
+    for (const Encounters& some : of_blocks) {
+        for (std::size_t k = 0; k < none.size(); ++k) {
+            all.area[k] += some.area[k];
+            all.border[k] += some.border[k];
+            all.free[k] += some.free[k];
+        }
+        all.seen += some.seen;
+        all.borders += some.borders;
+    }
+    return all;
+}
+
 }  // namespace
 
 void merge_parts(const Surface& s, Parts& parts) {
@@ -220,35 +306,7 @@ void merge_parts(const Surface& s, Parts& parts) {
     const double unlike = is_noisy ? 2.5 : 1.8;
     for (bool changed = true; changed;) {
         changed = false;
-        std::vector<double> area(parts.parts.size(), 0.0);
-        PairMap<double> seen;
-        for (std::size_t i = 0; i < s.count(); ++i) {
-            const std::int32_t own = parts.part_of[i], o = s.thickness.opposites[i];
-            if (own < 0) continue;
-            area[own] += s.geometry.areas[i];
-            if (o >= 0 && parts.part_of[o] >= 0 && parts.part_of[o] != own)
-                seen.at(own, parts.part_of[o]) += s.geometry.areas[i];
-        }
-        std::vector<double> border(parts.parts.size(), 0.0), free(parts.parts.size(), 0.0);  // to parts, to none
-        Borders borders;
-        for (std::size_t i = 0; i < s.count(); ++i)
-            for (int e = 0; e < 3; ++e) {
-                const std::int32_t own = parts.part_of[i], j = s.adjacency.neighbours[i][e];
-                if (own < 0 || j < 0 || parts.part_of[j] == own) continue;
-                const auto& corners = s.mesh.triangles[i];
-                const Vec3 &from = s.mesh.positions[corners[e]], &to = s.mesh.positions[corners[(e + 1) % 3]];
-                if (parts.part_of[j] < 0) {
-                    free[own] += (to - from).norm();
-                    continue;
-                }
-                Border& common = borders.at(own, parts.part_of[j]);
-                common.add(from, to);
-                border[own] += (to - from).norm();
-                const bool concave =
-                    (s.geometry.barycentres[j] - s.geometry.barycentres[i]).dot(s.geometry.normals[i]) > 0;
-                if (!s.in_crease(i) && (!concave || s.geometry.normals[i].dot(s.geometry.normals[j]) > 0.94))
-                    common.smooth += (to - from).norm();
-            }
+        auto [area, border, free, seen, borders] = count_encounters(s, parts);
         std::vector<Lie> lie;  // for the few borders that ask
         const auto lie_of = [&](std::int32_t part) -> const Lie& {
             if (lie.empty()) lie = lies(s, parts);
@@ -308,8 +366,11 @@ void merge_parts(const Surface& s, Parts& parts) {
             into[a] = b;
             changed = true;
         }
-        for (std::int32_t& part : parts.part_of)
-            if (part >= 0 && into[part] >= 0) part = into[part];
+        if (!changed) break;
+        for_each_range(s.count(), s.threads, [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                if (std::int32_t& part = parts.part_of[i]; part >= 0 && into[part] >= 0) part = into[part];
+        });
     }
 }
 
