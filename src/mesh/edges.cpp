@@ -1,7 +1,6 @@
 #include "mesh/edges.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "base/ranges.h"
 
@@ -26,52 +25,32 @@ void sort_few(std::span<std::uint64_t> keys) {
 
 }  // namespace
 
-EdgeTable build_edges(std::span<const std::array<std::int32_t, 3>> triangles, std::size_t vertex_count, int threads) {
-    // With more than one thread each of two takes half of the vertices; atomic counters would gain nothing.
-    const std::size_t shares = threads == 1 ? 1 : 2;
-    const auto for_each_edge = [&](const auto& work) {
-        for_each_range(
-            shares, threads,
-            [&](std::size_t begin, std::size_t end) {
-                const auto from = static_cast<std::int32_t>(vertex_count * begin / shares);
-                const auto to = static_cast<std::int32_t>(vertex_count * end / shares);
-                for (std::size_t t = 0; t < triangles.size(); ++t)
-                    for (std::size_t e = 0; e < 3; ++e) {
-                        const auto [low, high] = std::minmax(triangles[t][e], triangles[t][next_corner[e]]);
-                        if (from <= low && low < to) work(static_cast<std::size_t>(low), high, 3 * t + e);
-                    }
-            },
-            1);
-    };
-    std::vector<std::int32_t> fill(vertex_count + 1, 0);
-    for_each_edge([&](std::size_t low, std::int32_t, std::size_t) { ++fill[low]; });
-    std::int32_t sum = 0;
-    for (std::int32_t& begin : fill) sum += std::exchange(begin, sum);
-    std::vector<std::uint64_t> keys(3 * triangles.size());  // larger vertex, half-edge
-    for_each_edge([&](std::size_t low, std::int32_t high, std::size_t half_edge) {
-        keys[static_cast<std::size_t>(fill[low]++)] = static_cast<std::uint64_t>(high) << 32 | half_edge;
-    });
-    // Now each vertex's edges end where `fill` says, and begin where those of the vertex before it end.
-    EdgeTable table;
-    table.half_edges.resize(keys.size());
+Buckets<std::uint64_t> half_edges_of_vertices(std::span<const std::array<std::int32_t, 3>> triangles,
+                                              std::size_t vertex_count, int threads) {
+    auto half_edges =
+        sort_into_buckets<std::uint64_t>(triangles.size(), vertex_count, threads, [&](std::size_t t, const auto& put) {
+            for (std::size_t e = 0; e < 3; ++e) {
+                const auto [low, high] = std::minmax(triangles[t][e], triangles[t][next_corner[e]]);
+                put(low, static_cast<std::uint64_t>(high) << 32 | (3 * t + e));
+            }
+        });
     for_each_range(vertex_count, threads, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t v = begin; v < end; ++v) {
-            const auto first = static_cast<std::size_t>(v > 0 ? fill[v - 1] : 0);
-            const auto last = static_cast<std::size_t>(fill[v]);
-            sort_few({keys.data() + first, last - first});
-            for (std::size_t i = first; i < last; ++i)
-                table.half_edges[i] = static_cast<std::int32_t>(keys[i] & 0xffffffffU);
-        }
+        for (std::size_t v = begin; v < end; ++v) sort_few(half_edges[v]);
     });
-    table.starts.reserve(keys.size() / 2 + 2);
-    std::size_t first = 0;
-    for (std::size_t v = 0; v < vertex_count; ++v) {
-        const auto last = static_cast<std::size_t>(fill[v]);
-        for (std::size_t i = first; i < last; ++i)
-            if (i == first || keys[i] >> 32 != keys[i - 1] >> 32) table.starts.push_back(static_cast<std::int32_t>(i));
-        first = last;
-    }
-    table.starts.push_back(static_cast<std::int32_t>(keys.size()));
+    return half_edges;
+}
+
+EdgeTable build_edges(std::span<const std::array<std::int32_t, 3>> triangles, std::size_t vertex_count) {
+    const Buckets<std::uint64_t> half_edges = half_edges_of_vertices(triangles, vertex_count, 1);
+    EdgeTable table;
+    table.half_edges.reserve(3 * triangles.size());
+    table.starts.reserve(3 * triangles.size() / 2 + 2);
+    for (std::size_t v = 0; v < vertex_count; ++v)
+        for_each_edge(half_edges[v], [&](std::span<const std::uint64_t> edge) {
+            table.starts.push_back(static_cast<std::int32_t>(table.half_edges.size()));
+            for (const std::uint64_t key : edge) table.half_edges.push_back(half_edge_of(key));
+        });
+    table.starts.push_back(static_cast<std::int32_t>(table.half_edges.size()));
     return table;
 }
 

@@ -8,5 +8,7 @@ namespace partonomy {
 
 [[nodiscard]] Adjacency build_adjacency(const TriangleMesh& mesh, int threads);
 [[nodiscard]] TriangleGeometry compute_geometry(const TriangleMesh& mesh, int threads);
+[[nodiscard]] Bounds compute_bounds(const TriangleMesh& mesh, int threads);
+[[nodiscard]] Bounds compute_used_bounds(const TriangleMesh& mesh, int threads);
 
 }  // namespace partonomy

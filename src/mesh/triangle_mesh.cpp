@@ -89,14 +89,18 @@ TriangleGeometry compute_geometry(const TriangleMesh& mesh) { return compute_geo
 
 Adjacency build_adjacency(const TriangleMesh& mesh, int threads) {
     Adjacency adjacency;
-    const EdgeTable edges = build_edges(mesh.triangles, mesh.positions.size(), threads);
+    const auto half_edges = half_edges_of_vertices(mesh.triangles, mesh.positions.size(), threads);
     adjacency.neighbours.assign(mesh.triangles.size(), {-1, -1, -1});
-    for_each_range(edges.size(), threads, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t e = begin; e < end; ++e) {
-            const auto around = edges[e];
-            if (around.size() == 2) link(adjacency, around[0], around[1]);
-            if (around.size() > 2) link_around(mesh, around, adjacency);
-        }
+    for_each_range(half_edges.size(), threads, [&](std::size_t begin, std::size_t end) {
+        std::vector<std::int32_t> around;
+        for (std::size_t v = begin; v < end; ++v)
+            for_each_edge(half_edges[v], [&](std::span<const std::uint64_t> edge) {
+                if (edge.size() == 2) link(adjacency, half_edge_of(edge[0]), half_edge_of(edge[1]));
+                if (edge.size() <= 2) return;
+                around.clear();
+                for (const std::uint64_t key : edge) around.push_back(half_edge_of(key));
+                link_around(mesh, around, adjacency);
+            });
     });
     return adjacency;
 }
@@ -122,24 +126,44 @@ TriangleGeometry compute_geometry(const TriangleMesh& mesh, int threads) {
     return geometry;
 }
 
-Bounds compute_bounds(const TriangleMesh& mesh) {
-    Bounds bounds{mesh.positions.front(), mesh.positions.front()};
-    for (const Vec3& point : mesh.positions) {
-        bounds.low = bounds.low.cwiseMin(point);
-        bounds.high = bounds.high.cwiseMax(point);
+namespace {
+
+/// Bounds of what points_of(i, add) adds for each i in [0, count).
+template <class PointsOf>
+Bounds bounds_of(const Vec3& start, std::size_t count, int threads, const PointsOf& points_of) {
+    const auto of_blocks = map_blocks(count, threads, [&](std::size_t begin, std::size_t end) {
+        Bounds bounds{start, start};
+        for (std::size_t i = begin; i < end; ++i)
+            points_of(i, [&](const Vec3& point) {
+                bounds.low = bounds.low.cwiseMin(point);
+                bounds.high = bounds.high.cwiseMax(point);
+            });
+        return bounds;
+    });
+    Bounds all{start, start};
+    for (const Bounds& some : of_blocks) {
+        all.low = all.low.cwiseMin(some.low);
+        all.high = all.high.cwiseMax(some.high);
     }
-    return bounds;
+    return all;
 }
 
-Bounds compute_used_bounds(const TriangleMesh& mesh) {
+}  // namespace
+
+Bounds compute_bounds(const TriangleMesh& mesh) { return compute_bounds(mesh, 1); }
+
+Bounds compute_used_bounds(const TriangleMesh& mesh) { return compute_used_bounds(mesh, 1); }
+
+Bounds compute_bounds(const TriangleMesh& mesh, int threads) {
+    return bounds_of(mesh.positions.front(), mesh.positions.size(), threads,
+                     [&](std::size_t v, const auto& add) { add(mesh.positions[v]); });
+}
+
+Bounds compute_used_bounds(const TriangleMesh& mesh, int threads) {
     const Vec3& start = mesh.positions[static_cast<std::size_t>(mesh.triangles.front()[0])];
-    Bounds bounds{start, start};
-    for (const auto& triangle : mesh.triangles)
-        for (const std::int32_t corner : triangle) {
-            bounds.low = bounds.low.cwiseMin(mesh.positions[static_cast<std::size_t>(corner)]);
-            bounds.high = bounds.high.cwiseMax(mesh.positions[static_cast<std::size_t>(corner)]);
-        }
-    return bounds;
+    return bounds_of(start, mesh.triangles.size(), threads, [&](std::size_t t, const auto& add) {
+        for (const std::int32_t corner : mesh.triangles[t]) add(mesh.positions[static_cast<std::size_t>(corner)]);
+    });
 }
 
 std::string validate(const TriangleMesh& mesh) {

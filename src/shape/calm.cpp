@@ -10,10 +10,12 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
+#include "base/buckets.h"
 #include "base/ranges.h"
 #include "mesh/parallel.h"
 
@@ -30,30 +32,25 @@ constexpr std::size_t most_samples = 6000;
 /// Moves vertices towards the mean of their neighbours.
 class Relaxation {
 public:
-    explicit Relaxation(const TriangleMesh& mesh)
-        : begins_(mesh.positions.size() + 1, 0), next_(mesh.positions.size()) {
-        for (const auto& t : mesh.triangles)
-            for (const std::int32_t v : t) begins_[v] += 2;
-        std::int32_t sum = 0;
-        for (std::int32_t& begin : begins_) sum += std::exchange(begin, sum);
-        around_.resize(sum);
-        std::vector<std::int32_t> fill(begins_.begin(), begins_.end() - 1);
-        for (const auto& [a, b, c] : mesh.triangles) {
-            const auto add = [&](std::int32_t v, std::int32_t p, std::int32_t q) {
-                around_[fill[v]++] = p;
-                around_[fill[v]++] = q;
-            };
-            add(a, b, c), add(b, c, a), add(c, a, b);
-        }
-    }
+    Relaxation(const TriangleMesh& mesh, int threads)
+        : around_(sort_into_buckets<Side>(mesh.triangles.size(), mesh.positions.size(), threads,
+                                          [&](std::size_t t, const auto& put) {
+                                              const auto& [a, b, c] = mesh.triangles[t];
+                                              put(a, Side{b, c}), put(b, Side{c, a}), put(c, Side{a, b});
+                                          })),
+          next_(mesh.positions.size()) {}
 
     /// Every vertex goes the part `share` of its way.
     void relax(std::vector<Vec3>& positions, double share, int threads) {
         for_each_range(positions.size(), threads, [&](std::size_t begin, std::size_t end) {
             for (std::size_t v = begin; v < end; ++v) {
                 Vec3 sum = Vec3::Zero();
-                for (std::int32_t k = begins_[v]; k < begins_[v + 1]; ++k) sum += positions[around_[k]];
-                const std::int32_t count = begins_[v + 1] - begins_[v];
+                const auto around = std::as_const(around_)[v];
+                for (const auto& [a, b] : around) {
+                    sum += positions[a];
+                    sum += positions[b];
+                }
+                const auto count = static_cast<double>(2 * around.size());
                 next_[v] = count > 0 ? Vec3(positions[v] + share * (sum / count - positions[v])) : positions[v];
             }
         });
@@ -61,16 +58,17 @@ public:
     }
 
 private:
-    std::vector<std::int32_t> begins_, around_;  ///< neighbours of each vertex, once for each triangle that they share
+    using Side = std::array<std::int32_t, 2>;
+    Buckets<Side> around_;  ///< neighbours of each vertex: the opposite side of each triangle
     std::vector<Vec3> next_;
 };
 
 }  // namespace
 
-double roughness(const Adjacency& adjacency, const TriangleGeometry& geometry) {
+double roughness(const Adjacency& adjacency, const TriangleGeometry& geometry, int threads) {
     const std::size_t count = geometry.normals.size(), stride = 1 + count / most_samples;
-    std::vector<double> turns;
-    for (std::size_t i = 0; i < count; i += stride) {
+    std::vector<double> turns((count + stride - 1) / stride);
+    const auto measure = [&](std::size_t i) {
         double convex = 1, concave = 1;  // smallest cosines
         for (const std::int32_t j : adjacency.neighbours[i]) {
             if (j < 0) continue;
@@ -79,8 +77,11 @@ double roughness(const Adjacency& adjacency, const TriangleGeometry& geometry) {
             double& least = in ? concave : convex;
             least = std::min(least, cosine);
         }
-        turns.push_back(std::max(convex, concave));
-    }
+        return std::max(convex, concave);
+    };
+    for_each_range(turns.size(), threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) turns[k] = measure(k * stride);
+    });
     if (turns.empty()) return 0;
     const auto middle = turns.begin() + static_cast<std::ptrdiff_t>(turns.size() / 2);
     std::nth_element(turns.begin(), middle, turns.end());
@@ -88,19 +89,18 @@ double roughness(const Adjacency& adjacency, const TriangleGeometry& geometry) {
 }
 
 Calming calm(const TriangleMesh& mesh, const Adjacency& adjacency, TriangleGeometry& geometry, int threads) {
-    const double before = roughness(adjacency, geometry);
+    const double before = roughness(adjacency, geometry, threads);
     if (before < clean_degrees) return {};
-    double area = 0;
-    for (const double a : geometry.areas) area += a;
+    const double area = sum(geometry.areas, threads);
     Calming result{mesh, grain * std::sqrt(area / static_cast<double>(geometry.areas.size())), before > calm_degrees};
-    Relaxation relaxation(mesh);
+    Relaxation relaxation(mesh, threads);
     for (int round = 0; round < most_rounds; ++round) {
         for (int step = 0; step < steps_a_round; ++step) {
             relaxation.relax(result.mesh.positions, forth, threads);
             relaxation.relax(result.mesh.positions, back, threads);
         }
         geometry = compute_geometry(result.mesh, threads);
-        if (roughness(adjacency, geometry) < calm_degrees) break;
+        if (roughness(adjacency, geometry, threads) < calm_degrees) break;
     }
     return result;
 }

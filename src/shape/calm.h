@@ -18,6 +18,6 @@ struct Calming {
 
 /// How far neighbouring triangles turn to and fro, in degrees: half of the triangles have both a convex and a concave
 /// edge of at least so much. Flat, cylindrical and creased surfaces have none of it, whatever their triangles.
-[[nodiscard]] double roughness(const Adjacency& adjacency, const TriangleGeometry& geometry);
+[[nodiscard]] double roughness(const Adjacency& adjacency, const TriangleGeometry& geometry, int threads = 1);
 
 }  // namespace partonomy

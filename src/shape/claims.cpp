@@ -15,8 +15,10 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/ranges.h"
 
@@ -235,14 +237,19 @@ void cut_at_boards(const Surface& s, const std::vector<Board>& boards, Parts& pa
     }
 }
 
-/// Whether the triangle is on the rim of a board: from a point just below it, the board's two walls are met to both
-/// sides before a way longer than the board is thick.
-bool on_rim(const Surface& s, const Parts& parts, std::int32_t board, const Frame& f, std::int32_t i) {
-    if (std::abs(s.geometry.normals[i].dot(f.normal)) > 0.8) return false;
-    const Vec3 inside = s.geometry.barycentres[i] - s.geometry.normals[i] * (0.5 * f.half);
+/// A triangle beside the growing board, and what is seen from just below it along the board's normal, to both sides.
+struct Candidate {
+    std::int32_t from, triangle;
+    bool is_turned_away = false;  ///< too much like a wall to be on the rim: nothing was looked at
+    std::array<WallHit, 2> seen{};
+};
+
+/// Whether the triangle is on the rim of a board: the board's two walls are met to both sides before a way longer than
+/// the board is thick.
+bool on_rim(const Parts& parts, std::int32_t board, const Frame& f, const Candidate& candidate) {
+    if (candidate.is_turned_away) return false;
     double way = 0;
-    for (const double side : {1.0, -1.0}) {
-        const WallHit hit = s.scene->exit_wall({inside, side * f.normal, -1, i});
+    for (const WallHit& hit : candidate.seen) {
         if (hit.triangle < 0 || parts.part_of[hit.triangle] != board) return false;
         way += hit.distance;
     }
@@ -274,9 +281,13 @@ public:
             origin_[i] = i;
             beyond_[i] = 0;
         }
-        for (std::size_t at = 0; at < queue_.size(); ++at)
-            for (const std::int32_t j : s_.adjacency.neighbours[queue_[at]])
-                if (j >= 0 && parts_.part_of[j] != number) consider(queue_[at], j);
+        for (std::size_t begin = 0; begin < queue_.size();) {
+            const std::size_t end = queue_.size();
+            for (const std::vector<Candidate>& some : beside(begin, end))
+                for (const Candidate& candidate : some)
+                    if (parts_.part_of[candidate.triangle] != number) consider(candidate);
+            begin = end;
+        }
     }
 
 private:
@@ -290,12 +301,60 @@ private:
         });
     }
 
-    void consider(std::int32_t from, std::int32_t j) {
+    [[nodiscard]] Frame frame_at(std::int32_t from) const { return flat_ ? plane_ : local_frame(s_, origin_[from]); }
+
+    /// Whether the board may take the triangle: a free one, or one of a much thicker part.
+    [[nodiscard]] bool is_takeable(std::int32_t j) const {
+        const std::int32_t part = parts_.part_of[j];
+        return part < 0 || parts_.parts[part].thickness >= thicker * parts_.parts[board_].thickness;
+    }
+
+    /// Triangles beside a stretch of the queue, in order, with what is seen below them.
+    [[nodiscard]] std::vector<std::vector<Candidate>> beside(std::size_t first, std::size_t last) const {
+        return map_blocks(
+            last - first, s_.threads,
+            [&](std::size_t begin, std::size_t end) {
+                std::vector<Candidate> some;
+                for (std::size_t at = first + begin; at < first + end; ++at)
+                    for (const std::int32_t j : s_.adjacency.neighbours[queue_[at]])
+                        if (j >= 0 && parts_.part_of[j] != board_ && is_takeable(j)) some.push_back({queue_[at], j});
+                look_below(some);
+                return some;
+            },
+            1024);
+    }
+
+    void look_below(std::vector<Candidate>& candidates) const {
+        constexpr std::size_t most = 8;
+        std::array<InnerRay, 2 * most> rays;
+        std::array<WallHit, 2 * most> hits;
+        std::array<Candidate*, most> asking{};
+        std::size_t count = 0;
+        const auto shoot = [&] {
+            s_.scene->exit_walls({rays.data(), 2 * count}, {hits.data(), 2 * count});
+            for (std::size_t k = 0; k < count; ++k) asking[k]->seen = {hits[2 * k], hits[2 * k + 1]};
+            count = 0;
+        };
+        for (Candidate& candidate : candidates) {
+            const Frame f = frame_at(candidate.from);
+            const std::int32_t i = candidate.triangle;
+            candidate.is_turned_away = std::abs(s_.geometry.normals[i].dot(f.normal)) > 0.8;
+            if (candidate.is_turned_away) continue;
+            const Vec3 inside = s_.geometry.barycentres[i] - s_.geometry.normals[i] * (0.5 * f.half);
+            rays[2 * count] = {inside, f.normal, -1, i};
+            rays[2 * count + 1] = {inside, -f.normal, -1, i};
+            asking[count++] = &candidate;
+            if (count == most) shoot();
+        }
+        if (count > 0) shoot();
+    }
+
+    void consider(const Candidate& candidate) {
+        const auto [from, j] = std::pair(candidate.from, candidate.triangle);
         const bool free = parts_.part_of[j] < 0;
-        if (!free && parts_.parts[parts_.part_of[j]].thickness < thicker * parts_.parts[board_].thickness) return;
-        const Frame f = flat_ ? plane_ : local_frame(s_, origin_[from]);
+        const Frame f = frame_at(from);
         float beyond = 0;
-        if (!on_rim(s_, parts_, board_, f, j)) {
+        if (!on_rim(parts_, board_, f, candidate)) {
             if (!free) return;
             beyond =
                 beyond_[from] + static_cast<float>((s_.geometry.barycentres[j] - s_.geometry.barycentres[from]).norm());

@@ -37,8 +37,10 @@ std::vector<char> find_creases(const Surface& s) {
     for (int pass = 0; pass < passes; ++pass) spread(s, normals, old);
     for (int pass = 0; pass < passes; ++pass) spread(s, places, old);
     std::vector<char> creases(s.count());
-    for (std::size_t i = 0; i < s.count(); ++i)
-        creases[i] = normals[i].norm() < bent && (places[i] - s.geometry.barycentres[i]).dot(normals[i]) > 0;
+    for_each_range(s.count(), s.threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            creases[i] = normals[i].norm() < bent && (places[i] - s.geometry.barycentres[i]).dot(normals[i]) > 0;
+    });
     return creases;
 }
 

@@ -14,6 +14,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "base/ranges.h"
 #include "shape/narrow_boards.h"
 
 namespace partonomy {
@@ -91,27 +92,39 @@ private:
                 visit(queue[at], s_.thickness.opposites[queue[at]]);
             }
         }
-        std::vector<std::pair<std::int32_t, std::int32_t>> pairs;
-        const auto meet = [&](std::int32_t i, std::int32_t j) {
-            if (is_own(j) && cell_of_[i] != cell_of_[j]) {
-                pairs.emplace_back(cell_of_[i], cell_of_[j]);
-                pairs.emplace_back(cell_of_[j], cell_of_[i]);
-            }
+        for (const std::int32_t i : component.triangles) cells_[cell_of_[i]].area += s_.geometry.areas[i];
+        using Pairs = std::vector<std::pair<std::int32_t, std::int32_t>>;
+        const auto sort_out = [](Pairs& pairs) {
+            std::sort(pairs.begin(), pairs.end());
+            pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
         };
-        for (const std::int32_t i : component.triangles) {
-            cells_[cell_of_[i]].area += s_.geometry.areas[i];
-            for (const std::int32_t j : s_.adjacency.neighbours[i]) meet(i, j);
-            meet(i, s_.thickness.opposites[i]);
-        }
-        std::sort(pairs.begin(), pairs.end());
-        pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+        const auto of_blocks =
+            map_blocks(component.triangles.size(), s_.threads, [&](std::size_t begin, std::size_t end) {
+                Pairs pairs;
+                const auto meet = [&](std::int32_t i, std::int32_t j) {
+                    if (is_own(j) && cell_of_[i] != cell_of_[j]) {
+                        pairs.emplace_back(cell_of_[i], cell_of_[j]);
+                        pairs.emplace_back(cell_of_[j], cell_of_[i]);
+                    }
+                };
+                for (std::size_t k = begin; k < end; ++k) {
+                    const std::int32_t i = component.triangles[k];
+                    for (const std::int32_t j : s_.adjacency.neighbours[i]) meet(i, j);
+                    meet(i, s_.thickness.opposites[i]);
+                }
+                sort_out(pairs);
+                return pairs;
+            });
+        Pairs pairs;
+        for (const Pairs& some : of_blocks) pairs.insert(pairs.end(), some.begin(), some.end());
+        sort_out(pairs);
         for (const auto& [a, b] : pairs) cells_[a].neighbours.push_back(b);
     }
 
     /// A cell takes the median width of its neighbourhood, and its main direction.
     void smooth() {
         std::vector<Cell> smoothed = cells_;
-        for (std::size_t a = 0; a < cells_.size(); ++a) {
+        const auto smooth_one = [&](std::size_t a) {
             std::vector<double> ratios{cells_[a].ratio}, reaches{cells_[a].reach};
             Eigen::Matrix3d spread = cells_[a].along * cells_[a].along.transpose();
             for (const std::int32_t b : cells_[a].neighbours) {
@@ -128,7 +141,13 @@ private:
             smoothed[a].kind = kind_of(smoothed[a].ratio, smoothed[a].reach, slanted_ ? narrowest_slanted : narrowest);
             smoothed[a].is_junction = smoothed[a].kind == Solidity::stick && !slanted_ &&
                                       eigen.eigenvalues()[2] < least_agreement * eigen.eigenvalues().sum();
-        }
+        };
+        for_each_range(
+            cells_.size(), s_.threads,
+            [&](std::size_t begin, std::size_t end) {
+                for (std::size_t a = begin; a < end; ++a) smooth_one(a);
+            },
+            64);
         cells_ = std::move(smoothed);
     }
 

@@ -116,9 +116,9 @@ std::vector<PartRegion> find_parts(const TriangleMesh& mesh, const FindPartsOpti
     if (mesh.triangles.empty()) return {};
     if (options.is_scene) return find_scene_parts(mesh, options, times);
     StageClock clock(times);
-    const double size = compute_bounds(mesh).diagonal();
+    const double size = compute_bounds(mesh, options.threads).diagonal();
     Refinement refinement;
-    const double limit = refinement_length(mesh, size);
+    const double limit = refinement_length(mesh, size, options.threads);
     const bool is_refined = limit < std::numeric_limits<double>::infinity();
     if (is_refined) refinement = refine(mesh, limit);
     const TriangleMesh& fine = is_refined ? refinement.mesh : mesh;

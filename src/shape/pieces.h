@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "base/buckets.h"
 #include "base/ranges.h"
 #include "mesh/triangle_mesh.h"
 #include "shape/sets.h"
@@ -55,17 +56,14 @@ template <class Alike>
     return number_sets(sets, count, threads, [&](std::int32_t i) { return alike(i, i); });
 }
 
-/// The members of numbered groups.
-struct Groups {
-    std::vector<std::int32_t> members;  ///< those of one group beside each other, ascending
-    std::vector<std::size_t> begins;    ///< #groups + 1
-    [[nodiscard]] std::size_t size() const { return begins.size() - 1; }
-    [[nodiscard]] std::span<const std::int32_t> operator[](std::size_t group) const {
-        return {members.data() + begins[group], members.data() + begins[group + 1]};
-    }
-};
+/// The members of numbered groups, ascending.
+using Groups = Buckets<std::int32_t>;
 
 /// Who is in which of so many groups; `group_of` tells the group of each, -1 for none. O(n).
-[[nodiscard]] Groups group_members(std::span<const std::int32_t> group_of, std::size_t groups, int threads);
+[[nodiscard]] inline Groups group_members(std::span<const std::int32_t> group_of, std::size_t groups, int threads) {
+    return sort_into_buckets<std::int32_t>(group_of.size(), groups, threads, [&](std::size_t i, const auto& put) {
+        if (group_of[i] >= 0) put(group_of[i], static_cast<std::int32_t>(i));
+    });
+}
 
 }  // namespace partonomy

@@ -8,6 +8,8 @@
 #include <string>
 
 #include "base/errors.h"
+#include "base/ranges.h"
+#include "mesh/parallel.h"
 
 namespace partonomy {
 
@@ -29,7 +31,7 @@ RTCDevice device(int threads) {
 
 RayTree::RayTree(const TriangleMesh& mesh, int threads) {
     if (!mesh.triangles.empty()) {
-        const Bounds bounds = compute_used_bounds(mesh);
+        const Bounds bounds = compute_used_bounds(mesh, threads);
         middle_ = bounds.middle();
         const double diagonal = (bounds.high / 2 - bounds.low / 2).stableNorm() * 2;
         if (diagonal > 0) scale_ = 1 / diagonal;
@@ -44,12 +46,16 @@ RayTree::RayTree(const TriangleMesh& mesh, int threads) {
         throw Error("there is not enough memory for the rays' tree over " + std::to_string(mesh.triangles.size()) +
                     " triangles");
     }
-    for (const Vec3& position : mesh.positions) {
-        const Vec3 p = place(position);
-        for (int k = 0; k < 3; ++k) *points++ = static_cast<float>(p[k]);
-    }
-    for (const auto& triangle : mesh.triangles)
-        for (const std::int32_t corner : triangle) *corners++ = static_cast<std::uint32_t>(corner);
+    for_each_range(mesh.positions.size(), threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t v = begin; v < end; ++v) {
+            const Vec3 p = place(mesh.positions[v]);
+            for (std::size_t k = 0; k < 3; ++k) points[3 * v + k] = static_cast<float>(p[k]);
+        }
+    });
+    for_each_range(mesh.triangles.size(), threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t t = begin; t < end; ++t)
+            for (std::size_t k = 0; k < 3; ++k) corners[3 * t + k] = static_cast<std::uint32_t>(mesh.triangles[t][k]);
+    });
     rtcCommitGeometry(geometry);
     scene_ = rtcNewScene(device(threads));
     rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);

@@ -16,6 +16,7 @@
 #include <limits>
 #include <optional>
 
+#include "base/ranges.h"
 #include "mesh/edges.h"
 
 namespace partonomy {
@@ -120,13 +121,25 @@ constexpr double shortest_limit = 0.012;  // of the size: no finer than this
 
 }  // namespace
 
-double refinement_length(const TriangleMesh& mesh, double size) {
+double refinement_length(const TriangleMesh& mesh, double size, int threads) {
+    struct Sizes {
+        double area = 0, longest = 0;
+    };
+    const auto of_blocks = map_blocks(mesh.triangles.size(), threads, [&](std::size_t begin, std::size_t end) {
+        Sizes sizes;
+        for (std::size_t i = begin; i < end; ++i) {
+            const Corners& t = mesh.triangles[i];
+            const Vec3& a = mesh.positions[t[0]];
+            const Vec3 u = mesh.positions[t[1]] - a, v = mesh.positions[t[2]] - a;
+            sizes.area += std::sqrt(std::max(0.0, u.squaredNorm() * v.squaredNorm() - u.dot(v) * u.dot(v))) / 2;
+            sizes.longest = std::max({sizes.longest, u.squaredNorm(), v.squaredNorm(), (u - v).squaredNorm()});
+        }
+        return sizes;
+    });
     double area = 0, longest = 0;
-    for (const Corners& t : mesh.triangles) {
-        const Vec3& a = mesh.positions[t[0]];
-        const Vec3 u = mesh.positions[t[1]] - a, v = mesh.positions[t[2]] - a;
-        area += std::sqrt(std::max(0.0, u.squaredNorm() * v.squaredNorm() - u.dot(v) * u.dot(v))) / 2;
-        longest = std::max({longest, u.squaredNorm(), v.squaredNorm(), (u - v).squaredNorm()});
+    for (const Sizes& some : of_blocks) {
+        area += some.area;
+        longest = std::max(longest, some.longest);
     }
     const double wanted =
         std::clamp(pieces_a_triangle * static_cast<double>(mesh.triangles.size()), fewest_pieces, most_pieces);

@@ -25,6 +25,6 @@ struct Refinement {
 [[nodiscard]] Refinement refine(const TriangleMesh& mesh, double longest);
 
 /// The edge length that leaves a fine mesh of a few thousand triangles; infinity when the mesh is fine as it is.
-[[nodiscard]] double refinement_length(const TriangleMesh& mesh, double size);
+[[nodiscard]] double refinement_length(const TriangleMesh& mesh, double size, int threads = 1);
 
 }  // namespace partonomy

@@ -2,11 +2,10 @@
 //
 // Growing ends where a wall ends, which under noise and on fillets is near the crease between two parts, not on it. So
 // each border between two parts is drawn again: among the triangles not much farther from it than the
-// thinner part is thick, the cheapest closed cut (a minimum cut, found as a maximum flow by Dinic's algorithm) that
-// still parts the two. An edge costs its length, less where it runs along a concave crease: the bend over the distance
-// of the two triangles, times the thickness, tells a crease from the slow bend of a wall on any mesh. A triangle that
-// changes sides costs its area over half the thickness, so a border moves to a crease nearby, and without one it
-// stays.
+// thinner part is thick, the cheapest closed cut (a minimum cut, found as a maximum flow) that still parts the two. An
+// edge costs its length, less where it runs along a concave crease: the bend over the distance of the two triangles,
+// times the thickness, tells a crease from the slow bend of a wall on any mesh. A triangle that changes sides costs its
+// area over half the thickness, so a border moves to a crease nearby, and without one it stays.
 //
 // Coarse meshes are not settled: their borders are edges that someone drew. Cost: about linear in the triangles near
 // borders, whose strip is at most some triangles wide: without that limit the flow took a quarter of all time on five
@@ -16,8 +15,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
+#include <functional>
 #include <limits>
 #include <map>
+#include <memory>
+#include <mutex>
+#include <numeric>
+#include <optional>
 #include <utility>
 
 #include "base/ranges.h"
@@ -34,89 +39,207 @@ constexpr double noisy_crease = 6;  // under noise walls bend, too
 constexpr double inertia = 1;  // cost of a changed triangle: its area / thickness, times this
 constexpr double noisy_inertia = 0.6;  // under noise growing ends farther from the crease
 constexpr double units = 1 << 20;      // of capacity for one mean edge
-constexpr std::size_t most_teams = 4;  // each holds some numbers for every triangle
 
 using Capacity = std::int64_t;
 
-/// The strip along one border as a flow network: a node a triangle, an arc an edge.
-struct Network {
-    std::vector<std::array<std::int32_t, 3>> to;  ///< node across each edge, or -1
-    std::vector<std::array<Capacity, 3>> room;
-    std::vector<Capacity> terminal;  ///< > 0: from the source, < 0: to the sink
+enum class Tree : std::uint8_t { none, source, sink };
 
-    /// Fills the network; afterwards `level` >= 0 tells the nodes on the source's side.
+/// The strip along one border as a flow network: a node a triangle, an arc an edge.
+///
+/// Two trees of arcs with room grow towards each other, one from the source and one to the sink. Where they meet, flow
+/// is sent; what comes off its tree by that looks for another place in it (Boykov and Kolmogorov 2004). Dinic's
+/// algorithm, tried first, began anew with each length of ways, of which noisy borders of five million triangles have
+/// 170: four times as long.
+class Network {
+public:
+    struct Node {
+        std::array<std::int32_t, 3> to{-1, -1, -1};  ///< node across each edge, or -1
+        std::array<Capacity, 3> room{};
+        Capacity terminal = 0;               ///< > 0: from the source, < 0: to the sink
+        std::array<std::uint8_t, 3> back{};  ///< number of the edge in the node across
+        Tree tree = Tree::none;
+        std::uint8_t parent = no_parent;  ///< edge to it
+        bool is_active = false;
+        std::int32_t time = 0, distance = 0;  ///< to the root of the tree, as it was at a time
+    };
+    std::vector<Node> nodes;
+
+    /// Fills the network; afterwards the source's tree holds all that can be reached from the source.
     void fill() {
-        level.resize(to.size());
-        next.resize(to.size());
-        while (find_levels()) {
-            std::fill(next.begin(), next.end(), std::int8_t{0});
-            for (std::size_t i = 0; i < to.size(); ++i)
-                while (terminal[i] > 0 && push_from(static_cast<std::int32_t>(i))) {
-                }
+        tell_ways_back();
+        now_ = 0;
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+            if (Node& node = nodes[i]; node.terminal != 0) {
+                node.tree = node.terminal > 0 ? Tree::source : Tree::sink;
+                node.parent = at_terminal;
+                node.distance = 1;
+                activate(static_cast<std::int32_t>(i));
+            }
+        while (!active_.empty()) {
+            const std::int32_t i = active_.front();
+            const std::optional<Arc> bridge = nodes[i].tree == Tree::none ? std::nullopt : grow(i);
+            if (!bridge) {
+                active_.pop_front();
+                nodes[i].is_active = false;
+                continue;
+            }
+            ++now_;
+            send_over(*bridge);
+            for (; !orphans_.empty();) {
+                const std::int32_t orphan = orphans_.front();
+                orphans_.pop_front();
+                adopt(orphan);
+            }
         }
     }
-
-    std::vector<std::int32_t> level;
 
 private:
-    bool find_levels() {
-        queue.clear();
-        std::fill(level.begin(), level.end(), -1);
-        for (std::size_t i = 0; i < to.size(); ++i)
-            if (terminal[i] > 0) level[i] = 0, queue.push_back(static_cast<std::int32_t>(i));
-        bool reached = false;
-        for (std::size_t at = 0; at < queue.size(); ++at) {
-            const std::int32_t i = queue[at];
-            if (terminal[i] < 0) reached = true;
-            for (int e = 0; e < 3; ++e) {
-                const std::int32_t j = to[i][e];
-                if (j < 0 || room[i][e] == 0 || level[j] >= 0) continue;
-                level[j] = level[i] + 1;
-                queue.push_back(j);
+    static constexpr std::uint8_t at_terminal = 3, no_parent = 4, orphaned = 5;
+    struct Arc {
+        std::int32_t from;
+        std::size_t edge;
+    };
+
+    void tell_ways_back() {
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+            for (std::size_t e = 0; e < 3; ++e) {
+                if (nodes[i].to[e] < 0) continue;
+                std::ptrdiff_t before = std::count(nodes[i].to.begin(), nodes[i].to.begin() + e, nodes[i].to[e]);
+                const auto& other = nodes[nodes[i].to[e]].to;
+                std::size_t f = 0;
+                while (other[f] != static_cast<std::int32_t>(i) || before-- > 0) ++f;
+                nodes[i].back[e] = static_cast<std::uint8_t>(f);
             }
-        }
-        return reached;
     }
 
-    /// Sends flow along one way down the levels; false when there is none left.
-    bool push_from(std::int32_t source) {
-        way.assign(1, source);
-        while (!way.empty()) {
-            const std::int32_t i = way.back();
-            if (terminal[i] < 0) return send(), true;
-            bool goes_on = false;
-            for (; next[i] < 3 && !goes_on; next[i] += !goes_on) {
-                const std::int32_t j = to[i][next[i]];
-                goes_on = j >= 0 && room[i][next[i]] > 0 && level[j] == level[i] + 1;
-                if (goes_on) way.push_back(j);
+    void activate(std::int32_t i) {
+        if (std::exchange(nodes[i].is_active, true)) return;
+        active_.push_back(i);
+    }
+
+    /// Room of the arc over edge e of node i, in the direction in which flow runs in its tree: away from the node in
+    /// the source's, towards it in the sink's.
+    [[nodiscard]] Capacity room_beyond(const Node& node, std::size_t e) const {
+        return node.tree == Tree::source ? node.room[e] : nodes[node.to[e]].room[node.back[e]];
+    }
+    /// The same from the node across, as if that were the parent.
+    [[nodiscard]] Capacity room_before(const Node& node, std::size_t e) const {
+        return node.tree == Tree::source ? nodes[node.to[e]].room[node.back[e]] : node.room[e];
+    }
+
+    /// Takes free neighbours into the tree of a node; the arc from the source's tree to the sink's when there is one.
+    std::optional<Arc> grow(std::int32_t i) {
+        const Node& node = nodes[i];
+        for (std::size_t e = 0; e < 3; ++e) {
+            if (node.to[e] < 0 || room_beyond(node, e) == 0) continue;
+            Node& next = nodes[node.to[e]];
+            if (next.tree != Tree::none && next.tree != node.tree)
+                return node.tree == Tree::source ? Arc{i, e} : Arc{node.to[e], node.back[e]};
+            const bool is_free = next.tree == Tree::none;
+            if (!is_free && (next.time > node.time || next.distance <= node.distance)) continue;
+            next.tree = node.tree;
+            next.parent = node.back[e];
+            next.time = node.time;
+            next.distance = node.distance + 1;
+            if (is_free) activate(node.to[e]);
+        }
+        return std::nullopt;
+    }
+
+    void send_over(const Arc& bridge) {
+        const std::int32_t start = bridge.from, end = nodes[start].to[bridge.edge];
+        Capacity flow = nodes[start].room[bridge.edge];
+        const auto root_of = [&](std::int32_t i) {
+            for (; nodes[i].parent != at_terminal; i = nodes[i].to[nodes[i].parent])
+                flow = std::min(flow, room_before(nodes[i], nodes[i].parent));
+            return i;
+        };
+        flow = std::min(flow, nodes[root_of(start)].terminal);
+        flow = std::min(flow, -nodes[root_of(end)].terminal);
+        move(start, bridge.edge, flow);
+        const auto send_from_root = [&](std::int32_t i) {
+            while (nodes[i].parent != at_terminal) {
+                Node& node = nodes[i];
+                const std::uint8_t e = node.parent;
+                const std::int32_t parent = node.to[e];
+                if (node.tree == Tree::source)
+                    move(parent, node.back[e], flow);
+                else
+                    move(i, e, flow);
+                if (room_before(node, e) == 0) orphan(i);
+                i = parent;
             }
-            if (goes_on) continue;
-            way.pop_back();
-            if (!way.empty()) ++next[way.back()];
-        }
-        return false;
+            Node& root = nodes[i];
+            root.terminal += root.tree == Tree::source ? -flow : flow;
+            if (root.terminal == 0) orphan(i);
+        };
+        send_from_root(start);
+        send_from_root(end);
     }
 
-    void send() {
-        Capacity flow = std::min(terminal[way.front()], -terminal[way.back()]);
-        for (std::size_t k = 0; k + 1 < way.size(); ++k) flow = std::min(flow, room[way[k]][next[way[k]]]);
-        for (std::size_t k = 0; k + 1 < way.size(); ++k) {
-            room[way[k]][next[way[k]]] -= flow;
-            const auto& back = to[way[k + 1]];
-            room[way[k + 1]][std::find(back.begin(), back.end(), way[k]) - back.begin()] += flow;
-        }
-        terminal[way.front()] -= flow;
-        terminal[way.back()] += flow;
+    void move(std::int32_t from, std::size_t e, Capacity flow) {
+        Node& node = nodes[from];
+        node.room[e] -= flow;
+        nodes[node.to[e]].room[node.back[e]] += flow;
     }
 
-    std::vector<std::int8_t> next;
-    std::vector<std::int32_t> queue, way;
+    void orphan(std::int32_t i) {
+        nodes[i].parent = orphaned;
+        orphans_.push_back(i);
+    }
+
+    /// Length of the way from a node to the root of its tree; none when it leads to an orphan.
+    std::optional<std::int32_t> distance_to_root(std::int32_t i) {
+        std::int32_t steps = 0;
+        std::int32_t at = i;
+        while (nodes[at].time != now_) {
+            if (nodes[at].parent == orphaned) return std::nullopt;
+            if (nodes[at].parent == at_terminal) {
+                nodes[at].time = now_;
+                nodes[at].distance = 1;
+                break;
+            }
+            ++steps;
+            at = nodes[at].to[nodes[at].parent];
+        }
+        const std::int32_t distance = nodes[at].distance + steps;
+        for (std::int32_t d = distance; nodes[i].time != now_; i = nodes[i].to[nodes[i].parent], --d) {
+            nodes[i].time = now_;
+            nodes[i].distance = d;
+        }
+        return distance;
+    }
+
+    /// Hangs an orphan to the neighbour that is nearest to the root, or takes it out of its tree.
+    void adopt(std::int32_t i) {
+        Node& node = nodes[i];
+        std::int32_t nearest = std::numeric_limits<std::int32_t>::max();
+        for (std::size_t e = 0; e < 3; ++e) {
+            if (node.to[e] < 0 || nodes[node.to[e]].tree != node.tree || room_before(node, e) == 0) continue;
+            const std::optional<std::int32_t> distance = distance_to_root(node.to[e]);
+            if (!distance || *distance >= nearest) continue;
+            nearest = *distance;
+            node.parent = static_cast<std::uint8_t>(e);
+            node.distance = nearest + 1;
+            node.time = now_;
+        }
+        if (node.parent != orphaned) return;
+        for (std::size_t e = 0; e < 3; ++e) {
+            if (node.to[e] < 0 || nodes[node.to[e]].tree != node.tree) continue;
+            if (room_before(node, e) > 0) activate(node.to[e]);
+            if (nodes[node.to[e]].parent == node.back[e]) orphan(node.to[e]);
+        }
+        node.tree = Tree::none;
+        node.parent = no_parent;
+    }
+
+    std::int32_t now_ = 0;
+    std::deque<std::int32_t> active_, orphans_;
 };
 
 class Settler {
 public:
-    Settler(const Surface& surface, const Parts& parts)
-        : s_(surface), parts_(parts), node_of_(surface.count(), -1), distance_(surface.count()) {}
+    Settler(const Surface& surface, const Parts& parts) : s_(surface), parts_(parts), node_of_(surface.count(), -1) {}
 
     /// Triangles that change from one of two parts to the other.
     std::vector<std::int32_t> settle(std::int32_t a, std::int32_t b, const std::vector<std::int32_t>& border) {
@@ -130,7 +253,8 @@ public:
         build(a, b, thickness);
         network_.fill();
         for (std::size_t k = 0; k < strip_.size(); ++k) {
-            if (parts_.part_of[strip_[k]] != (network_.level[k] >= 0 ? a : b)) changing.push_back(strip_[k]);
+            if (parts_.part_of[strip_[k]] != (network_.nodes[k].tree == Tree::source ? a : b))
+                changing.push_back(strip_[k]);
             node_of_[strip_[k]] = -1;
         }
         return changing;
@@ -140,26 +264,24 @@ private:
     /// The triangles of both parts within reach of the border, along the surface.
     void collect(std::int32_t a, std::int32_t b, const std::vector<std::int32_t>& border, double reach) {
         strip_.clear();
+        distance_.clear();
         const auto visit = [&](std::int32_t i, double distance) {
             if (distance > reach) return;
             if (node_of_[i] < 0) {
                 node_of_[i] = static_cast<std::int32_t>(strip_.size());
                 strip_.push_back(i);
-                distance_[i] = distance;
+                distance_.push_back(distance);
             }
         };
         for (const std::int32_t i : border) visit(i, 0);
         for (std::size_t at = 0; at < strip_.size(); ++at)
             for (const std::int32_t j : s_.adjacency.neighbours[strip_[at]])
                 if (j >= 0 && (parts_.part_of[j] == a || parts_.part_of[j] == b))
-                    visit(j, distance_[strip_[at]] +
-                                 (s_.geometry.barycentres[j] - s_.geometry.barycentres[strip_[at]]).norm());
+                    visit(j, distance_[at] + (s_.geometry.barycentres[j] - s_.geometry.barycentres[strip_[at]]).norm());
     }
 
     void build(std::int32_t a, std::int32_t b, double thickness) {
-        network_.to.assign(strip_.size(), {-1, -1, -1});
-        network_.room.assign(strip_.size(), {0, 0, 0});
-        network_.terminal.assign(strip_.size(), 0);
+        network_.nodes.assign(strip_.size(), {});
         double sum = 0;
         for (const std::int32_t i : strip_) sum += std::sqrt(s_.geometry.areas[i]);
         const double unit = units * static_cast<double>(strip_.size()) / sum;
@@ -174,11 +296,11 @@ private:
                     is_edge = true;
                     continue;
                 }
-                network_.to[k][e] = node_of_[j];
-                network_.room[k][e] = 1 + std::llround(unit * cost(i, e, j, thickness));
+                network_.nodes[k].to[e] = node_of_[j];
+                network_.nodes[k].room[e] = 1 + std::llround(unit * cost(i, e, j, thickness));
             }
             const double stay = unit * (s_.grain > 0 ? noisy_inertia : inertia) * s_.geometry.areas[i] / thickness;
-            network_.terminal[k] =
+            network_.nodes[k].terminal =
                 side * (is_edge ? std::numeric_limits<std::int32_t>::max() * Capacity{1024} : std::llround(stay));
         }
     }
@@ -196,8 +318,32 @@ private:
     const Surface& s_;
     const Parts& parts_;
     std::vector<std::int32_t> node_of_, strip_;
-    std::vector<double> distance_;
+    std::vector<double> distance_;  ///< of the strip from the border
     Network network_;
+};
+
+/// Settlers are used again: each holds a number for every triangle.
+class SettlerPool {
+public:
+    SettlerPool(const Surface& surface, const Parts& parts) : s_(surface), parts_(parts) {}
+
+    std::unique_ptr<Settler> take() {
+        const std::lock_guard lock(mutex_);
+        if (idle_.empty()) return std::make_unique<Settler>(s_, parts_);
+        std::unique_ptr<Settler> settler = std::move(idle_.back());
+        idle_.pop_back();
+        return settler;
+    }
+    void give_back(std::unique_ptr<Settler> settler) {
+        const std::lock_guard lock(mutex_);
+        idle_.push_back(std::move(settler));
+    }
+
+private:
+    const Surface& s_;
+    const Parts& parts_;
+    std::mutex mutex_;
+    std::vector<std::unique_ptr<Settler>> idle_;
 };
 
 }  // namespace
@@ -207,25 +353,40 @@ void settle_borders(const Surface& s, Parts& parts) {
         std::int32_t a, b;
         std::vector<std::int32_t> triangles, changing;
     };
-    std::map<std::pair<std::int32_t, std::int32_t>, std::vector<std::int32_t>> along;
-    for (std::size_t i = 0; i < s.count(); ++i) {
-        const std::int32_t own = parts.part_of[i];
-        if (own < 0) continue;
-        for (const std::int32_t j : s.adjacency.neighbours[i])
-            if (j >= 0 && parts.part_of[j] >= 0 && parts.part_of[j] != own)
-                along[std::minmax(own, parts.part_of[j])].push_back(static_cast<std::int32_t>(i));
-    }
+    using Lists = std::map<std::pair<std::int32_t, std::int32_t>, std::vector<std::int32_t>>;
+    const auto of_blocks = map_blocks(s.count(), s.threads, [&](std::size_t begin, std::size_t end) {
+        Lists along;
+        for (std::size_t i = begin; i < end; ++i) {
+            const std::int32_t own = parts.part_of[i];
+            if (own < 0) continue;
+            for (const std::int32_t j : s.adjacency.neighbours[i])
+                if (j >= 0 && parts.part_of[j] >= 0 && parts.part_of[j] != own)
+                    along[std::minmax(own, parts.part_of[j])].push_back(static_cast<std::int32_t>(i));
+        }
+        return along;
+    });
+    Lists along;
+    for (const Lists& some : of_blocks)
+        for (const auto& [pair, triangles] : some) {
+            std::vector<std::int32_t>& all = along[pair];
+            all.insert(all.end(), triangles.begin(), triangles.end());
+        }
     std::vector<Border> borders;
     for (auto& [pair, triangles] : along) borders.push_back({pair.first, pair.second, std::move(triangles), {}});
+    std::vector<std::size_t> long_first(borders.size());
+    std::iota(long_first.begin(), long_first.end(), 0);
+    std::ranges::stable_sort(long_first, std::greater<>(), [&](std::size_t k) { return borders[k].triangles.size(); });
     // Each border is drawn as if it were alone. Where two meet, the first takes the triangles that both want.
-    const std::size_t teams = std::min(borders.size(), most_teams);
+    SettlerPool pool(s, parts);
     for_each_range(
-        teams, s.threads,
+        borders.size(), s.threads,
         [&](std::size_t begin, std::size_t end) {
-            Settler settler(s, parts);
-            for (std::size_t team = begin; team < end; ++team)
-                for (std::size_t k = team; k < borders.size(); k += teams)
-                    borders[k].changing = settler.settle(borders[k].a, borders[k].b, borders[k].triangles);
+            std::unique_ptr<Settler> settler = pool.take();
+            for (std::size_t k = begin; k < end; ++k) {
+                Border& border = borders[long_first[k]];
+                border.changing = settler->settle(border.a, border.b, border.triangles);
+            }
+            pool.give_back(std::move(settler));
         },
         1);
     std::vector<char> has_changed(s.count(), 0);
