@@ -41,10 +41,9 @@ double length_inclination(const Object& object, const RegionMeasurements& region
     return std::asin(std::min(1.0, sine)) * 180 / std::numbers::pi;
 }
 
-double side_offset(const Object& object, const RegionMeasurements& region) {
-    const MiddlePlane& plane = middle_plane(object);
-    if (!(plane.half_width > 0)) return 1;
-    return std::abs(plane.sideways.dot(region.centre) - plane.middle) / plane.half_width;
+double crosswise_angle(const Object& object, const RegionMeasurements& region) {
+    const double sine = std::abs(region.axes.col(0).dot(sideways_of(object)));
+    return std::asin(std::min(1.0, sine)) * 180 / std::numbers::pi;
 }
 
 /// The longest side of the smallest box around the whole object, in file units: the same however it stands.
@@ -121,10 +120,10 @@ std::vector<Measure> built_in_measures() {
          }},
         {"length inclination", "degrees", "angle of the longest side of the smallest oriented box to the horizontal",
          false, Effort::on_demand, length_inclination},
-        {"side offset", "1",
-         "distance of the middle from the plane between left and right of an object with a back, over half the "
-         "object's width: 0 in the middle, 1 at the side, or where there is no back",
-         false, Effort::on_demand, side_offset},
+        {"crosswise angle", "degrees",
+         "angle of the longest side of the smallest oriented box to the plane between left and right of an object with "
+         "a back: 90 runs from side to side, 0 from front to back, upright, or where there is no back",
+         false, Effort::on_demand, crosswise_angle},
         {"length share", "1", "longest length over that of the whole object, however it stands", false,
          Effort::on_demand,
          [](const Object& o, const RegionMeasurements& r) { return ratio(r.lengths[0], object_length(o)); }},

@@ -98,7 +98,7 @@ Object make_object(TriangleMesh mesh, const Placement& placement, int threads, b
     object.mesh = std::move(mesh);
     object.geometry = compute_geometry(object.mesh);
     object.placement = placement;
-    object.middle.reset();
+    object.sideways.reset();
     object.level.reset();
     stand(object);
     const auto start = std::chrono::steady_clock::now();
@@ -111,7 +111,7 @@ Object make_object(TriangleMesh mesh, const Placement& placement, int threads, b
 
 void place(Object& object, const Placement& placement) {
     object.placement = placement;
-    object.middle.reset();
+    object.sideways.reset();
     object.level.reset();
     stand(object);
 }
@@ -123,10 +123,10 @@ void cut(Object& object, int threads) {
     if (object.appearance) split_by_color(object);
 }
 
-const MiddlePlane& middle_plane(const Object& object) {
-    if (object.middle) return *object.middle;
+const Vec3& sideways_of(const Object& object) {
+    if (object.sideways) return *object.sideways;
     constexpr double least_correlation = 0.1;  // between height and the way back; tables have none
-    MiddlePlane& plane = object.middle.emplace();
+    Vec3& sideways = object.sideways.emplace(Vec3::Zero());
     const Vec3& up = object.placement.up;
     double area = 0;
     Vec3 sum = Vec3::Zero();
@@ -142,22 +142,16 @@ const MiddlePlane& middle_plane(const Object& object) {
         }
         moments += object.geometry.areas[t] / 12 * corners;
     }
-    if (!(area > 0)) return plane;
+    if (!(area > 0)) return sideways;
     const Vec3 centre = sum / area;
     const Eigen::Matrix3d spread = moments - area * centre * centre.transpose();
     Vec3 growth = spread * up;
     growth -= growth.dot(up) * up;
-    if (!(growth.norm() > 0)) return plane;
+    if (!(growth.norm() > 0)) return sideways;
     const Vec3 back = growth.normalized();
-    if (growth.norm() < least_correlation * std::sqrt(back.dot(spread * back) * up.dot(spread * up))) return plane;
-    plane.sideways = up.cross(back).normalized();
-    plane.middle = plane.sideways.dot(centre);
-    for (const auto& corners : object.mesh.triangles)
-        for (const std::int32_t v : corners) {
-            const double offset = plane.sideways.dot(object.mesh.positions[static_cast<std::size_t>(v)]) - plane.middle;
-            plane.half_width = std::max(plane.half_width, std::abs(offset));
-        }
-    return plane;
+    if (growth.norm() < least_correlation * std::sqrt(back.dot(spread * back) * up.dot(spread * up))) return sideways;
+    sideways = up.cross(back).normalized();
+    return sideways;
 }
 
 double main_level(const Object& object) {

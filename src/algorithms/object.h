@@ -45,13 +45,6 @@ struct CalmSurface {
     double noise = 0;  ///< how far it still is from the surface before the noise, about
 };
 
-/// The upright plane that parts an object with a back, such as a chair, into its left and its right.
-struct MiddlePlane {
-    Vec3 sideways = Vec3::Zero();  ///< horizontal unit vector; zero where the object has no back
-    double middle = 0;             ///< of the plane along `sideways`, in file units
-    double half_width = 0;         ///< from the plane to the farthest point of the object
-};
-
 /// A mesh ready to be asked about.
 struct Object {
     TriangleMesh mesh;
@@ -66,8 +59,8 @@ struct Object {
     std::shared_ptr<const RayTree> tree;   ///< of the mesh
     mutable std::optional<double> length;  ///< of the smallest box around all of it, once a question needed it
     mutable std::optional<double> area;    ///< of its surface, the same
-    mutable std::optional<MiddlePlane> middle;        ///< as it stands, the same: middle_plane
-    mutable std::optional<double> level;              ///< as it stands, the same: main_level
+    mutable std::optional<Vec3> sideways;  ///< as it stands, the same: sideways_of
+    mutable std::optional<double> level;   ///< as it stands, the same: main_level
     mutable std::shared_ptr<const CalmSurface> calm;  ///< once a question needed it: calm_surface
     std::shared_ptr<const Appearance> appearance;     ///< null: no colours, or nothing asks for them; see paint
 };
@@ -112,13 +105,14 @@ struct RegionMeasurements {
 /// `part` is one of the object's candidates, and must outlive the result.
 [[nodiscard]] RegionMeasurements measure_region(const Object& object, const PartRegion& part);
 
-/// The plane through the middle of the surface that runs upright from front to back, found the first time that it is
-/// asked for. Where an object has a back, what is high lies behind what is low: the horizontal direction in which
-/// height grows is the way back.
-[[nodiscard]] const MiddlePlane& middle_plane(const Object& object);
+/// From one side of an object with a back, such as a chair, to the other: a horizontal unit vector, or zero where there
+/// is no back. What is high lies behind what is low: across the horizontal direction in which height grows. Found the
+/// first time that it is asked for.
+[[nodiscard]] const Vec3& sideways_of(const Object& object);
 
 /// How high, above the object's lowest point and in file units, most of the surface that looks up lies: the seat of a
-/// chair, the top of a table. Of two levels with nearly as much the higher one. Found the first time that it is asked for.
+/// chair, the top of a table. Of two levels with nearly as much the higher one. Found the first time that it is asked
+/// for.
 [[nodiscard]] double main_level(const Object& object);
 
 /// Shoots some rays up and down, the first time that it is called for a region.

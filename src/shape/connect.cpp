@@ -72,8 +72,8 @@ void connect(const Surface& s, const TriangleMesh& mesh, const Adjacency& adjace
              std::vector<std::int32_t>& part_of) {
     const double total = sum(geometry.areas, s.threads);
     for (int round = 0; round < 8; ++round) {
-        const auto& [piece_of, lowest] = find_pieces(
-            adjacency, s.threads, [&](std::int32_t i, std::int32_t j) { return part_of[i] == part_of[j]; });
+        const auto& [piece_of, lowest] =
+            find_pieces(adjacency, s.threads, [&](std::int32_t i, std::int32_t j) { return part_of[i] == part_of[j]; });
         std::int32_t parts = 0;
         std::vector<std::int32_t> owners;
         for (const std::int32_t first : lowest)

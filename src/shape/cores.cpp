@@ -46,8 +46,8 @@ const double parallel_cosine = std::cos(30 * std::numbers::pi / 180);
 const double slanted_cosine = std::cos(65 * std::numbers::pi / 180);
 const double crease_cosine = std::cos(30 * std::numbers::pi / 180);
 constexpr double odd_thickness = 1.8;
-constexpr double least_share = 1e-3;          // of the whole surface: less is no part
-constexpr std::size_t least_triangles = 4;    // of a component
+constexpr double least_share = 1e-3;        // of the whole surface: less is no part
+constexpr std::size_t least_triangles = 4;  // of a component
 
 /// How alike neighbours must be to belong to one component.
 struct Likeness {

@@ -2,8 +2,8 @@
 //
 // All parts grow over the free triangles at once, along the surface, nearest first (Dijkstra). A step over a concave
 // bend is long, in proportion to the part's thickness. Between exact planes a board hardly grows out of its slab along
-// a flat face. Ties go by triangle number. Free pieces that do not touch are filled side by side. Cost: O(m log m) for m
-// free triangles.
+// a flat face. Ties go by triangle number. Free pieces that do not touch are filled side by side. Cost: O(m log m) for
+// m free triangles.
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -10,8 +10,7 @@ namespace partonomy {
 std::vector<std::int32_t> find_solids(const TriangleMesh& mesh, const Adjacency& adjacency, int threads) {
     constexpr double least_filling = 1e-4;  // volume / area^1.5; of a ball 0.094
     const std::size_t count = mesh.triangles.size();
-    const auto [shell_of, lowest] =
-        find_pieces(adjacency, threads, [](std::int32_t, std::int32_t) { return true; });
+    const auto [shell_of, lowest] = find_pieces(adjacency, threads, [](std::int32_t, std::int32_t) { return true; });
     if (lowest.size() < 2) return {};
     std::vector<char> is_closed(lowest.size(), 1);
     for (std::size_t t = 0; t < count; ++t)

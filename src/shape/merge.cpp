@@ -181,8 +181,8 @@ bool is_same_place(const Lie& a, const Lie& b, double thickness) {
 
 using Borders = PairMap<Border>;
 
-/// Whether a board lies across the place where two sticks in line meet, as the seat does where a rear leg becomes a back
-/// post.
+/// Whether a board lies across the place where two sticks in line meet, as the seat does where a rear leg becomes a
+/// back post.
 bool is_crossed(const Parts& parts, const Borders& borders, std::int32_t a, std::int32_t b, const Border& common,
                 const Vec3& axis) {
     constexpr double across = 0.7;

@@ -32,11 +32,11 @@ namespace partonomy {
 
 namespace {
 
-constexpr double strip = 0.7;  // thicknesses to each side of the border
-constexpr double widest = 12;  // edges to each side: growing ends nearer to the crease than that on any fine mesh
-constexpr double crease = 2;   // bend over a thickness (radians) that makes half the cost
+constexpr double strip = 0.7;       // thicknesses to each side of the border
+constexpr double widest = 12;       // edges to each side: growing ends nearer to the crease than that on any fine mesh
+constexpr double crease = 2;        // bend over a thickness (radians) that makes half the cost
 constexpr double noisy_crease = 6;  // under noise walls bend, too
-constexpr double inertia = 1;  // cost of a changed triangle: its area / thickness, times this
+constexpr double inertia = 1;       // cost of a changed triangle: its area / thickness, times this
 constexpr double noisy_inertia = 0.6;  // under noise growing ends farther from the crease
 constexpr double units = 1 << 20;      // of capacity for one mean edge
 

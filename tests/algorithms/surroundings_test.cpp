@@ -88,8 +88,8 @@ TEST(Surroundings, SharesOfTheObjectAreTheSameHoweverItLies) {
     }
 }
 
-/// A seat with a back of two posts, a rail and a crest, turned about up: where its parts lie between left and right.
-TEST(Surroundings, WhatHasABackHasAMiddle) {
+/// A seat with a back of two posts and a rail, and armrests, turned about up: which way its parts run.
+TEST(Surroundings, WhatHasABackHasSides) {
     std::mt19937 random(4);
     for (int round = 0; round < 4; ++round) {
         SCOPED_TRACE("seed 4, round " + std::to_string(round));
@@ -99,20 +99,23 @@ TEST(Surroundings, WhatHasABackHasAMiddle) {
             add_box(mesh, {-0.2, 0.15, 0.41}, {-0.15, 0.2, 0.9});
             add_box(mesh, {0.15, 0.15, 0.41}, {0.2, 0.2, 0.9});
             add_box(mesh, {-0.14, 0.16, 0.6}, {0.14, 0.18, 0.65});
+            for (const double x : {-0.25, 0.21}) add_box(mesh, {x, -0.1, 0.55}, {x + 0.04, 0.2, 0.57});
         }
         mesh.input_face_count = static_cast<std::int32_t>(mesh.triangles.size());
         for (std::int32_t t = 0; t < mesh.input_face_count; ++t) mesh.input_faces.push_back(t);
         const double angle = std::uniform_real_distribution(0.0, 6.3)(random);
         for (Vec3& point : mesh.positions) point = Eigen::AngleAxisd(angle, Vec3::UnitZ()) * point;
         const Object object = make_object(mesh, {});
-        ASSERT_EQ(object.candidates.size(), round < 3 ? 4U : 1U);
+        ASSERT_EQ(object.candidates.size(), round < 3 ? 6U : 1U);
         for (const PartRegion& part : object.candidates) {
             const RegionMeasurements region = measure_region(object, part);
-            const double offset = find_measure("side offset")->value(object, region);
+            const double crosswise = find_measure("crosswise angle")->value(object, region);
             const double incline = find_measure("length inclination")->value(object, region);
             const bool is_block = region.low<0.1, is_post = region.high> 0.8 && !is_block;
-            const double expected = round == 3 ? 1 : is_post ? 0.875 : 0;  // a block has no back
-            EXPECT_NEAR(offset, expected, 0.01);
+            const bool is_rail = region.low > 0.59;  // a block has no back
+            if (!is_block || round == 3) {
+                EXPECT_NEAR(crosswise, is_rail ? 90 : 0, 1);
+            }
             EXPECT_NEAR(incline, is_post ? 90 : is_block ? incline : 0, 0.1);
         }
     }

@@ -32,7 +32,8 @@ NamedChair random_chair(Back kind, std::mt19937& random) {
         for (const double y : {inset, depth - inset - leg}) add("Leg", {x, y, 0}, {x + leg, y + leg, seat - board});
     add("Seat", {0, 0, seat - board}, {width, depth, seat});
     if (between(0, 1) < 0.5) {  // stretchers from leg to leg
-        const double low = between(0.2, 0.6) * seat, thick = between(0.4, 0.7) * leg, middle = inset + (leg - thick) / 2;
+        const double low = between(0.2, 0.6) * seat, thick = between(0.4, 0.7) * leg,
+                     middle = inset + (leg - thick) / 2;
         for (const double x : {middle, width - middle - thick})
             add("Leg", {x, inset + leg, low}, {x + thick, depth - inset - leg, low + thick});
         for (const double y : {middle, depth - middle - thick})
