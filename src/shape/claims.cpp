@@ -18,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include "base/ranges.h"
@@ -237,8 +238,8 @@ void cut_at_boards(const Surface& s, const std::vector<Board>& boards, Parts& pa
     }
 }
 
-/// A triangle beside the growing board, and what is seen from just below it along the board's normal, to both sides.
-struct Candidate {
+/// What is seen from just below a triangle beside the growing board, along the board's normal, to both sides.
+struct Look {
     std::int32_t from, triangle;
     bool is_turned_away = false;  ///< too much like a wall to be on the rim: nothing was looked at
     std::array<WallHit, 2> seen{};
@@ -246,10 +247,10 @@ struct Candidate {
 
 /// Whether the triangle is on the rim of a board: the board's two walls are met to both sides before a way longer than
 /// the board is thick.
-bool on_rim(const Parts& parts, std::int32_t board, const Frame& f, const Candidate& candidate) {
-    if (candidate.is_turned_away) return false;
+bool on_rim(const Parts& parts, std::int32_t board, const Frame& f, const Look& look) {
+    if (look.is_turned_away) return false;
     double way = 0;
-    for (const WallHit& hit : candidate.seen) {
+    for (const WallHit& hit : look.seen) {
         if (hit.triangle < 0 || parts.part_of[hit.triangle] != board) return false;
         way += hit.distance;
     }
@@ -260,7 +261,7 @@ bool on_rim(const Parts& parts, std::int32_t board, const Frame& f, const Candid
 class SlabClaim {
 public:
     SlabClaim(const Surface& surface, Parts& parts)
-        : s_(surface), parts_(parts), origin_(surface.count()), beyond_(surface.count()) {}
+        : s_(surface), parts_(parts), origin_(surface.count()), beyond_(surface.count()), look_of_(surface.count()) {}
 
     void grow(std::int32_t number, const PlaneFit& fit) {
         board_ = number;
@@ -281,16 +282,24 @@ public:
             origin_[i] = i;
             beyond_[i] = 0;
         }
+        looks_.clear();
         for (std::size_t begin = 0; begin < queue_.size();) {
             const std::size_t end = queue_.size();
-            for (const std::vector<Candidate>& some : beside(begin, end))
-                for (const Candidate& candidate : some)
-                    if (parts_.part_of[candidate.triangle] != number) consider(candidate);
+            if (!flat_) looks_.clear();
+            std::vector<Candidate> candidates = beside(begin, end);
+            look_at(candidates);
+            for (const Candidate& candidate : candidates)
+                if (parts_.part_of[candidate.triangle] != number) consider(candidate);
             begin = end;
         }
     }
 
 private:
+    struct Candidate {
+        std::int32_t from, triangle;
+        std::size_t look = 0;
+    };
+
     /// A wedge that leans on an exact board may have come in with its thin end.
     void release_strays(std::int32_t number) {
         std::erase_if(parts_.parts[number].triangles, [&](std::int32_t i) {
@@ -309,44 +318,67 @@ private:
         return part < 0 || parts_.parts[part].thickness >= thicker * parts_.parts[board_].thickness;
     }
 
-    /// Triangles beside a stretch of the queue, in order, with what is seen below them.
-    [[nodiscard]] std::vector<std::vector<Candidate>> beside(std::size_t first, std::size_t last) const {
-        return map_blocks(
-            last - first, s_.threads,
-            [&](std::size_t begin, std::size_t end) {
-                std::vector<Candidate> some;
-                for (std::size_t at = first + begin; at < first + end; ++at)
-                    for (const std::int32_t j : s_.adjacency.neighbours[queue_[at]])
-                        if (j >= 0 && parts_.part_of[j] != board_ && is_takeable(j)) some.push_back({queue_[at], j});
-                look_below(some);
-                return some;
-            },
-            1024);
+    /// Triangles beside a stretch of the queue, in order.
+    [[nodiscard]] std::vector<Candidate> beside(std::size_t first, std::size_t last) const {
+        const auto of_blocks = map_blocks(last - first, s_.threads, [&](std::size_t begin, std::size_t end) {
+            std::vector<Candidate> some;
+            for (std::size_t at = first + begin; at < first + end; ++at)
+                for (const std::int32_t j : s_.adjacency.neighbours[queue_[at]])
+                    if (j >= 0 && parts_.part_of[j] != board_ && is_takeable(j)) some.push_back({queue_[at], j});
+            return some;
+        });
+        std::vector<Candidate> all;
+        for (const std::vector<Candidate>& some : of_blocks) all.insert(all.end(), some.begin(), some.end());
+        return all;
     }
 
-    void look_below(std::vector<Candidate>& candidates) const {
+    /// Looks below all candidates side by side; once for each triangle where the board has one frame everywhere.
+    void look_at(std::vector<Candidate>& candidates) {
+        const std::size_t first = looks_.size();
+        for (Candidate& candidate : candidates) {
+            const auto known = static_cast<std::size_t>(look_of_[candidate.triangle]);
+            if (flat_ && known < looks_.size() && looks_[known].triangle == candidate.triangle) {
+                candidate.look = known;
+                continue;
+            }
+            candidate.look = looks_.size();
+            look_of_[candidate.triangle] = static_cast<std::int32_t>(looks_.size());
+            looks_.push_back({candidate.from, candidate.triangle});
+        }
+        // Packets of rays are the same on any number of threads.
+        constexpr std::size_t piece = 64;
+        const std::span<Look> open = std::span(looks_).subspan(first);
+        for_each_range((open.size() + piece - 1) / piece, s_.threads,
+                       [&](std::size_t begin, std::size_t end) {
+                           for (std::size_t k = begin; k < end; ++k)
+                               look(open.subspan(k * piece, std::min(piece, open.size() - k * piece)));
+                       },
+                       1);
+    }
+
+    void look(std::span<Look> looks) const {
         constexpr std::size_t most = 8;
         std::array<InnerRay, 2 * most> rays;
         std::array<WallHit, 2 * most> hits;
-        std::array<Candidate*, most> asking{};
+        std::array<Look*, most> asking{};
         std::size_t count = 0;
         const auto shoot = [&] {
             s_.scene->exit_walls({rays.data(), 2 * count}, {hits.data(), 2 * count});
             for (std::size_t k = 0; k < count; ++k) asking[k]->seen = {hits[2 * k], hits[2 * k + 1]};
             count = 0;
         };
-        for (Candidate& candidate : candidates) {
-            const Frame f = frame_at(candidate.from);
-            const std::int32_t i = candidate.triangle;
-            candidate.is_turned_away = std::abs(s_.geometry.normals[i].dot(f.normal)) > 0.8;
-            if (candidate.is_turned_away) continue;
+        for (Look& one : looks) {
+            const std::int32_t i = one.triangle;
+            const Frame f = frame_at(one.from);
+            one.is_turned_away = std::abs(s_.geometry.normals[i].dot(f.normal)) > 0.8;
+            if (one.is_turned_away) continue;
             const Vec3 inside = s_.geometry.barycentres[i] - s_.geometry.normals[i] * (0.5 * f.half);
             rays[2 * count] = {inside, f.normal, -1, i};
             rays[2 * count + 1] = {inside, -f.normal, -1, i};
-            asking[count++] = &candidate;
+            asking[count++] = &one;
             if (count == most) shoot();
         }
-        if (count > 0) shoot();
+        shoot();
     }
 
     void consider(const Candidate& candidate) {
@@ -354,7 +386,7 @@ private:
         const bool free = parts_.part_of[j] < 0;
         const Frame f = frame_at(from);
         float beyond = 0;
-        if (!on_rim(parts_, board_, f, candidate)) {
+        if (!on_rim(parts_, board_, f, looks_[candidate.look])) {
             if (!free) return;
             beyond =
                 beyond_[from] + static_cast<float>((s_.geometry.barycentres[j] - s_.geometry.barycentres[from]).norm());
@@ -383,6 +415,8 @@ private:
     std::vector<std::int32_t> origin_;  ///< the triangle of the core whose frame goes on here
     std::vector<float> beyond_;         ///< how far it is from the last sure place
     std::vector<std::int32_t> queue_;
+    std::vector<Look> looks_;
+    std::vector<std::int32_t> look_of_;  ///< number of the last look below each triangle, whatever the board
     std::int32_t board_ = -1;
     bool flat_ = false, exact_ = false;
     Frame plane_;

@@ -222,10 +222,15 @@ private:
             const std::int32_t a = number[sets.find(slat)], b = number[sets.find(rail)];
             if (a != b) out[first + a].family = out[first + b].family = component.triangles.front();
         }
-        for (const std::int32_t i : component.triangles) {
-            Core& core = out[first + number[sets.find(cell_of_[i])]];
-            core.triangles.push_back(i);
-            core.area += s_.geometry.areas[i];
+        if (votes.size() == 1) {
+            out[first].triangles = component.triangles;
+            out[first].area = component.area;
+        } else {
+            for (const std::int32_t i : component.triangles) {
+                Core& core = out[first + number[sets.find(cell_of_[i])]];
+                core.triangles.push_back(i);
+                core.area += s_.geometry.areas[i];
+            }
         }
         for (std::size_t k = first; k < out.size(); ++k)
             out[k].thickness = slanted_ ? out[k].thickness / out[k].area : median_thickness(s_, out[k].triangles);

@@ -87,7 +87,7 @@ void fill(const Surface& s, const Groups& free_pieces, Parts& parts) {
             for (std::size_t k = begin; k < end; ++k)
                 if (parts.part_of[free_pieces[k].front()] < 0) growth.over(free_pieces[k]);
         },
-        16);
+        1);
 }
 
 }  // namespace partonomy

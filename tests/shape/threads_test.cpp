@@ -3,17 +3,27 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <filesystem>
 #include <random>
+#include <thread>
 
+#include "base/ranges.h"
 #include "mesh/parallel.h"
 #include "mesh/read_mesh.h"
 #include "shape/find_parts.h"
 #include "shape/pieces.h"
+#include "shape/ray_tree.h"
 #include "shape/shapes.h"
 
 namespace partonomy {
 namespace {
+
+/// Embree's first device sets for how many threads the whole process is good, and most tests ask for one.
+class SeveralThreads : public testing::Environment {
+    void SetUp() override { const RayTree first(shapes::cylinder(1, 1, 6, 1), 2); }
+};
+const auto* const several_threads = testing::AddGlobalTestEnvironment(new SeveralThreads);
 
 void expect_the_same_on_any_number_of_threads(const TriangleMesh& mesh) {
     const std::vector<PartRegion> one = find_parts(mesh, {.threads = 1});
@@ -57,6 +67,13 @@ void add_waves(TriangleMesh& mesh, double level) {
              Vec3(std::sin(31 * q.y() + 17 * q.z()), std::sin(23 * q.z() + 41 * q.x()),
                   std::sin(37 * q.x() + 29 * q.y()));
     }
+}
+
+TEST(Threads, ShareWork) {
+    if (std::thread::hardware_concurrency() < 2) GTEST_SKIP() << "there is but one core";
+    std::atomic<int> pieces = 0;
+    for_each_range(100'000, 2, [&](std::size_t, std::size_t) { ++pieces; });
+    EXPECT_GT(pieces, 1);
 }
 
 TEST(Threads, CleanMeshIsCutTheSame) { expect_the_same_on_any_number_of_threads(cube_with_parts()); }
