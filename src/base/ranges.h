@@ -22,8 +22,7 @@ template <class Work>
     for_each_range(
         results.size(), threads,
         [&](std::size_t begin, std::size_t end) {
-            for (std::size_t k = begin; k < end; ++k)
-                results[k] = work(k * block, std::min(count, (k + 1) * block));
+            for (std::size_t k = begin; k < end; ++k) results[k] = work(k * block, std::min(count, (k + 1) * block));
         },
         1);
     return results;
