@@ -28,7 +28,7 @@ constexpr Format formats[]{{".json", knowledge::to_json},
 struct Arguments {
     OntologyArguments ontology;
     std::string output, criterion = "gain-per-cost", concept_name;
-    std::size_t nodes = 10'000, depth = 0;
+    std::size_t nodes = 20'000, depth = 0;
     bool every_configuration = false;
 };
 

@@ -95,10 +95,10 @@ private:
     [[nodiscard]] std::optional<Question> look_ahead(const Rows& rows) const;
     /// What asking on costs on average when every question is the one with the highest score; nullopt when that takes
     /// more than `budget` new sets. Of a set that is not decided; puts the rows in another order.
-    [[nodiscard]] std::optional<double> price_of(std::span<std::uint32_t> rows, std::size_t number,
-                                                 const RowCounts& counts, std::size_t& budget, std::size_t depth) const;
+    [[nodiscard]] std::optional<double> price_of(std::span<std::uint32_t> rows, RowSum sum, const RowCounts& counts,
+                                                 std::size_t& budget, std::size_t depth) const;
     /// The same after each answer to a question: yes, no.
-    [[nodiscard]] std::array<std::optional<double>, 2> prices_after(std::span<std::uint32_t> rows,
+    [[nodiscard]] std::array<std::optional<double>, 2> prices_after(std::span<std::uint32_t> rows, RowSum sum,
                                                                     const RowCounts& counts, std::size_t candidate,
                                                                     std::size_t& budget, std::size_t depth) const;
     [[nodiscard]] double price(const Candidate& candidate) const;
@@ -123,8 +123,6 @@ private:
     };
     mutable std::vector<KnownCost> costs_;  ///< by candidate
     mutable std::uint64_t call_ = 0;
-    std::vector<ConfigurationSet>
-        labels_;  ///< configurations that agree on every wanted concept; none when wanted is empty
     [[nodiscard]] const PlanRows& rows() const;
     mutable std::shared_ptr<const PlanRows> rows_;  ///< made when first needed
     mutable RowTable prices_;

@@ -77,7 +77,7 @@ bool is_below(const Domain& domain, const Iri& a, const Iri& b) {
             return where_in(*space, a).is_subset_of(where_in(*space, b));
         });
     if (sub) {
-        if (b != core_term("Incompatible")) return b == core_term(top_of(*sub));
+        if (!is_core_term(b, "Incompatible")) return b == core_term(top_of(*sub));
         return std::ranges::all_of(spaces_of(domain, *sub), [&](const Space* space) {
             ConfigurationSet rest = where_in(*space, a);
             for (const Concept& each : space->concepts)
@@ -93,8 +93,8 @@ bool is_below(const Domain& domain, const Iri& a, const Iri& b) {
     if (std::ranges::binary_search(relations, std::pair(a, b))) return true;
     for (const RangeConcept& range : domain.ranges) {
         const bool is_value = std::ranges::any_of(range.values, [&](const auto& value) { return value.iri == a; });
-        if (is_value && (b == range.iri || b == core_term("Feature"))) return true;
-        if (a == range.iri && b == core_term("Feature")) return true;
+        if (is_value && (b == range.iri || is_core_term(b, "Feature"))) return true;
+        if (a == range.iri && is_core_term(b, "Feature")) return true;
     }
     return false;
 }
@@ -174,7 +174,7 @@ int Domain::object_layer() const {
 
 std::vector<Iri> Domain::most_specific(const std::vector<Iri>& iris) const {
     const auto is_diagnosis = [&](const Iri& iri) {
-        return iri == core_term("Incompatible") || is_incompatible(*this, iri);
+        return is_core_term(iri, "Incompatible") || is_incompatible(*this, iri);
     };
     std::vector<Iri> kept;
     for (const Iri& iri : iris) {

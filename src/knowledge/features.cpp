@@ -82,7 +82,7 @@ std::string text_of(const owl::Ontology& ontology, const Iri& iri, const char* k
     const auto found = ontology.annotations.find(iri);
     if (found == ontology.annotations.end()) return {};
     for (const owl::Annotation& annotation : found->second)
-        if (annotation.property == core_term(knob)) return annotation.literal.value;
+        if (is_core_term(annotation.property, knob)) return annotation.literal.value;
     return {};
 }
 
@@ -90,7 +90,7 @@ std::string text_of(const owl::Ontology& ontology, const Iri& iri, const char* k
 void refuse_second(const std::vector<owl::Annotation>& annotations, const Iri& iri, const char* knob) {
     const owl::Annotation* first = nullptr;
     for (const owl::Annotation& annotation : annotations) {
-        if (annotation.property != core_term(knob)) continue;
+        if (!is_core_term(annotation.property, knob)) continue;
         if (first != nullptr && first->literal.value != annotation.literal.value)
             refuse_knob(annotation, iri,
                         "is a second one beside \"" + first->literal.value +
@@ -107,13 +107,13 @@ ElementaryConcept read_value(const owl::Ontology& ontology, const Iri& iri) {
     const std::string measure = text_of(ontology, iri, "measure");
     bool has_membership = false;
     for (const owl::Annotation& annotation : found->second) {
-        if (annotation.property == core_term("criterion")) {
+        if (is_core_term(annotation.property, "criterion")) {
             value.criteria.push_back(to_criterion(annotation, iri, {}));
-        } else if (annotation.property == core_term("membership")) {
+        } else if (is_core_term(annotation.property, "membership")) {
             if (measure.empty()) refuse_knob(annotation, iri, "has no core:measure beside it; say what it measures");
             value.criteria.push_back(to_criterion(annotation, iri, measure));
             has_membership = true;
-        } else if (annotation.property == core_term("cost")) {
+        } else if (is_core_term(annotation.property, "cost")) {
             value.cost = to_number(annotation.literal.value);
             if (!value.cost || !(*value.cost >= 0) || std::isinf(*value.cost))
                 refuse_knob(annotation, iri, "should be a number above 0, or 0 for what is read off");
@@ -121,7 +121,7 @@ ElementaryConcept read_value(const owl::Ontology& ontology, const Iri& iri) {
     }
     if (!measure.empty() && !has_membership)
         for (const owl::Annotation& annotation : found->second)
-            if (annotation.property == core_term("measure"))
+            if (is_core_term(annotation.property, "measure"))
                 refuse_knob(annotation, iri, "has no core:membership beside it; say which of its values count");
     return value;
 }
@@ -312,7 +312,7 @@ std::vector<RangeConcept> find_ranges(const owl::Ontology& ontology) {
             !is_named(axiom.classes[0]))
             continue;
         const Iri &range = axiom.classes[0]->iri, &property = axiom.properties[0].iri;
-        if (!features.contains(range) || range == core_term("Feature") || !is_functional(ontology, property)) continue;
+        if (!features.contains(range) || is_core_term(range, "Feature") || !is_functional(ontology, property)) continue;
         for (const RangeConcept& other : ranges)
             if (other.iri == range || other.property == property)
                 refuse(axiom,
@@ -354,14 +354,14 @@ std::vector<Relation> find_relations(const owl::Ontology& ontology) {
     const std::vector<std::pair<Iri, Iri>> told = told_relations(ontology);
     std::vector<Relation> relations;
     for (const auto& [sub, super] : told) {
-        if (super != core_term("Relation")) continue;
+        if (!is_core_term(super, "Relation")) continue;
         ElementaryConcept value = read_value(ontology, sub);
         const bool is_parent = std::ranges::any_of(told, [&](const auto& pair) { return pair.second == sub; });
         if (is_parent && value.criteria.empty()) continue;
         Relation relation{sub, 2, std::move(value.criteria), value.cost, std::move(value.question)};
         if (const auto found = ontology.annotations.find(sub); found != ontology.annotations.end())
             for (const owl::Annotation& annotation : found->second) {
-                if (annotation.property != core_term("arity")) continue;
+                if (!is_core_term(annotation.property, "arity")) continue;
                 const std::optional<double> arity = to_number(annotation.literal.value);
                 if (!arity || (*arity != 2 && *arity != 3))
                     refuse_knob(annotation, sub, "should be 2 or 3: the number of regions that it links");
@@ -376,7 +376,7 @@ std::vector<TypicalHeight> find_typical_heights(const owl::Ontology& ontology) {
     std::vector<TypicalHeight> heights;
     for (const auto& [iri, annotations] : ontology.annotations)
         for (const owl::Annotation& annotation : annotations)
-            if (annotation.property == core_term("typicalHeight"))
+            if (is_core_term(annotation.property, "typicalHeight"))
                 heights.push_back({iri, to_criterion(annotation, iri, "height of the object")});
     return heights;
 }

@@ -132,7 +132,7 @@ bool Grounder::is_question(const ClassExpression& expression, Level level) const
     const auto found = ontology_.annotations.find(expression.property.iri);
     const bool has_measure =
         found != ontology_.annotations.end() && std::ranges::any_of(found->second, [](const owl::Annotation& each) {
-            return each.property == core_term("measure");
+            return is_core_term(each.property, "measure");
         });
     return has_measure || (level == Level::region && !theory_.no_numbers.contains(expression.property.iri));
 }
@@ -141,7 +141,7 @@ FormulaId Grounder::ground_name(const Iri& iri, Level level, const Axiom& axiom)
     const std::string name = owl::local_name(iri);
     if (is_thing(iri)) return 0;
     if (is_nothing(iri)) return 1;
-    if (iri == core_term("Incompatible"))
+    if (is_core_term(iri, "Incompatible"))
         refuse(axiom, "nothing proves that something is Incompatible but the concepts below it",
                "write SubClassOf: Incompatible beside the EquivalentTo of a named concept");
     const auto found = levels_.find(iri);
@@ -162,7 +162,7 @@ FormulaId Grounder::ground_name(const Iri& iri, Level level, const Axiom& axiom)
                found->second < level    ? "write hasPart some " + name
                : level == Level::region ? "describe a region by its features"
                                         : "describe a composite part by its parts");
-    if (iri == core_term("Region") || iri == core_term("Object") || iri == core_term("CompositePart")) return 0;
+    if (is_core_term(iri, "Region") || is_core_term(iri, "Object") || is_core_term(iri, "CompositePart")) return 0;
     return named(theory_.find(iri));
 }
 
@@ -188,7 +188,7 @@ ConfigurationSet Grounder::values(const ClassExpression& expression, std::size_t
                    "combine names of values with and, or, not");
     }
     const Iri& iri = expression.iri;
-    if (is_thing(iri) || iri == core_term("Feature") || iri == concept_range.iri) return all;
+    if (is_thing(iri) || is_core_term(iri, "Feature") || iri == concept_range.iri) return all;
     if (is_nothing(iri)) return none;
     for (std::size_t v = 0; v < concept_range.values.size(); ++v)
         if (concept_range.values[v].iri == iri) {
@@ -325,8 +325,8 @@ FormulaId Grounder::ground(const owl::ClassPointer& pointer, Level level, const 
             break;
     }
     if (expression.property.inverse) return open(expression, level, axiom);
-    if (expression.property.iri == core_term("isTargetRegion") ||
-        expression.property.iri == core_term("isReferenceRegion")) {
+    if (is_core_term(expression.property.iri, "isTargetRegion") ||
+        is_core_term(expression.property.iri, "isReferenceRegion")) {
         if (level != Level::region)
             refuse(axiom, property + " links regions, and here " + kind_of(level) + " is meant",
                    "write hasPart some (" + to_manchester(expression) + ")");
@@ -335,7 +335,7 @@ FormulaId Grounder::ground(const owl::ClassPointer& pointer, Level level, const 
     if (level_of(expression, {}, theory_.ranges) == Level::unknown) return open(expression, level, axiom);
     if (expression.kind >= ClassKind::data_some_values_from && !is_question(expression, level))
         return open(expression, level, axiom);
-    const bool of_parts = expression.property.iri == core_term("hasPart");
+    const bool of_parts = is_core_term(expression.property.iri, "hasPart");
     if (of_parts && level == Level::region)
         refuse(axiom, "a region has no parts, and what has parts is a composite part of a layer above",
                "put it below core:CompositePart and not below core:Region, and describe it by its parts only");

@@ -60,8 +60,8 @@ std::string key_of(const ClassExpression& expression) {
 NodeTest Grounder::ground_linked(const ClassExpression& expression, std::vector<FormulaId>& classes,
                                  const owl::Axiom& axiom) {
     const Iri& property = expression.property.iri;
-    const bool of_target = property == core_term("isTargetRegion");
-    if (!expression.property.inverse || (!of_target && property != core_term("isReferenceRegion")))
+    const bool of_target = is_core_term(property, "isTargetRegion");
+    if (!expression.property.inverse || (!of_target && !is_core_term(property, "isReferenceRegion")))
         refuse(axiom, "\"" + to_manchester(expression) + "\" says nothing of a relation between regions",
                "write inverse isReferenceRegion some Seat");
     if (expression.number == UINT32_MAX) refuse(axiom, "the cardinality is too large", "write a smaller one");
@@ -90,7 +90,7 @@ NodeTest Grounder::ground_node(const owl::ClassPointer& pointer, std::vector<For
             if (is_thing(expression.iri)) return test;
             if (is_nothing(expression.iri)) return negated(test);
             test.kind = NodeTest::Kind::relation;
-            bool known = expression.iri == core_term("Relation");
+            bool known = is_core_term(expression.iri, "Relation");
             const auto told = told_relations(ontology_);
             for (const Relation& relation : theory_.relations) {
                 const bool is_one = known || relation.iri == expression.iri ||
@@ -148,7 +148,7 @@ FormulaId Grounder::ground_relation(const ClassExpression& expression, const owl
         if (is_new) {
             RelationalFeature feature;
             std::vector<FormulaId> classes;
-            feature.of_target = expression.property.iri == core_term("isTargetRegion");
+            feature.of_target = is_core_term(expression.property.iri, "isTargetRegion");
             feature.threshold = threshold;
             feature.as_written = as_written;
             const std::size_t index = theory_.relational.size();

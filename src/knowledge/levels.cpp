@@ -63,14 +63,14 @@ private:
     /// Names behind hasPart.
     void find_parts(const owl::ClassExpression& expression, bool is_part) {
         if (expression.kind == ClassKind::named && is_part) parts_.insert(expression.iri);
-        const bool leads_to_parts = expression.property.iri == core_term("hasPart");
+        const bool leads_to_parts = is_core_term(expression.property.iri, "hasPart");
         for (const owl::ClassPointer& operand : expression.operands) find_parts(*operand, is_part || leads_to_parts);
     }
 
     bool set(const owl::ClassPointer& expression, Level level) {
         if (level == Level::unknown || expression->kind != ClassKind::named) return false;
         const Iri& iri = expression->iri;
-        if (is_thing(iri) || is_nothing(iri) || iri == core_term("Incompatible")) return false;
+        if (is_thing(iri) || is_nothing(iri) || is_core_term(iri, "Incompatible")) return false;
         if (level == Level::whole) {
             const bool is_part = parts_.contains(iri);
             if (wholes_ == Wholes::left_open || (wholes_ == Wholes::composite_when_part && !is_part)) return false;
@@ -149,9 +149,9 @@ Level level_of(const owl::ClassExpression& expression, const std::map<Iri, Level
         case ClassKind::data_exact_cardinality:
             return Level::region;
         default:
-            if (expression.property.iri == core_term("hasPart")) return Level::whole;
-            if (!expression.property.inverse && (expression.property.iri == core_term("isTargetRegion") ||
-                                                 expression.property.iri == core_term("isReferenceRegion")))
+            if (is_core_term(expression.property.iri, "hasPart")) return Level::whole;
+            if (!expression.property.inverse && (is_core_term(expression.property.iri, "isTargetRegion") ||
+                                                 is_core_term(expression.property.iri, "isReferenceRegion")))
                 return Level::region;
             return std::ranges::any_of(ranges, [&](const auto& r) { return r.property == expression.property.iri; })
                        ? Level::region

@@ -192,7 +192,7 @@ private:
         const auto found = domain_.ontology.annotations.find(iri);
         return found != domain_.ontology.annotations.end() &&
                std::ranges::any_of(found->second, [](const owl::Annotation& annotation) {
-                   return annotation.property == core_term("helper") && annotation.literal.value == "true";
+                   return is_core_term(annotation.property, "helper") && annotation.literal.value == "true";
                });
     }
 

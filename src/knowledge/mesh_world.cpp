@@ -150,8 +150,8 @@ private:
     [[nodiscard]] std::optional<ClassPointer> as_relation(const ClassExpression& expression) const {
         if (relational_.empty() || expression.property.inverse || is_data(expression.kind) ||
             expression.kind < ClassKind::some_values_from ||
-            (expression.property.iri != core_term("isTargetRegion") &&
-             expression.property.iri != core_term("isReferenceRegion")))
+            (!is_core_term(expression.property.iri, "isTargetRegion") &&
+             !is_core_term(expression.property.iri, "isReferenceRegion")))
             return std::nullopt;
         ClassPointer filler = expression.operands.empty() ? owl::thing()
                               : expression.kind == ClassKind::all_values_from

@@ -18,8 +18,6 @@
 namespace partonomy::knowledge {
 namespace {
 
-constexpr std::size_t look_ahead_budget = 200;  ///< sets to price for one question
-
 double entropy_sum(double n) { return n > 0 ? n * std::log2(n) : 0; }
 
 /// Keeps the first of the highest scores; scores closer than rounding count as equal.
@@ -33,24 +31,6 @@ struct Best {
         score = other_score;
     }
 };
-
-/// Classes of the configurations of a space, `all`, that agree on each of `concepts`.
-std::vector<ConfigurationSet> label_classes(ConfigurationSet all, const std::vector<ConfigurationSet>& concepts) {
-    std::vector<ConfigurationSet> classes;
-    if (concepts.empty()) return classes;
-    classes.push_back(std::move(all));
-    for (const ConfigurationSet& where : concepts) {
-        std::vector<ConfigurationSet> finer;
-        for (ConfigurationSet& each : classes) {
-            ConfigurationSet inside = each & where;
-            each -= where;
-            if (!inside.is_empty()) finer.push_back(std::move(inside));
-            if (!each.is_empty()) finer.push_back(std::move(each));
-        }
-        classes = std::move(finer);
-    }
-    return classes;
-}
 
 }  // namespace
 
@@ -69,11 +49,6 @@ Planner::Planner(const Space& space, PlanOptions options, const ConfigurationSet
     : space_(&space), options_(std::move(options)) {
     if (!space.diagram && within.count() < space.size) within_ = within;
     possible_ = packed(space.possible);
-    if (!space.diagram) {
-        std::vector<ConfigurationSet> concepts;
-        for (const ConceptId id : options_.wanted) concepts.push_back(packed(space.concepts[id].where));
-        labels_ = label_classes(packed(space.all()), concepts);
-    }
     for (std::size_t v = 0; v < space.variables.size(); ++v) {
         const Variable& variable = space.variables[v];
         std::size_t questions = variable.values.size();
@@ -108,17 +83,17 @@ std::optional<double> Planner::cost(const Candidate& candidate) const {
 
 bool Planner::is_decided(const ConfigurationSet& set) const {
     if (space_->diagram) return knowledge::is_decided(*space_, set, options_);
-    return is_decided(rows_of(packed(set)));
+    return is_decided(rows().rows_of(packed(set)));
 }
 
 bool Planner::is_decided(RowSpan rows) const {
-    if (labels_.empty()) return rows.size() <= 1;
+    if (options_.wanted.empty()) return rows.size() <= 1;
     if (open_.empty()) return this->rows().has_one_label(rows);
     // When what nothing can answer tells the label, nothing that is asked will.
     const auto is_told = [&](const auto& self, std::span<std::uint32_t> some, std::size_t from) -> bool {
         if (this->rows().has_one_label(some)) return true;
         for (std::size_t i = from; i < open_.size(); ++i) {
-            const std::size_t yes = split(some, candidates_[open_[i]].yes, scratch_);
+            const std::size_t yes = this->rows().split(some, open_[i], scratch_);
             if (yes == 0 || yes == some.size()) continue;
             return self(self, some.first(yes), i + 1) && self(self, some.subspan(yes), i + 1);
         }
@@ -129,7 +104,7 @@ bool Planner::is_decided(RowSpan rows) const {
 }
 
 bool Planner::looks_ahead() const {
-    return options_.breadth > 1 && options_.criterion != SplitCriterion::dichotomy && !labels_.empty();
+    return options_.breadth > 1 && options_.criterion != SplitCriterion::dichotomy && !options_.wanted.empty();
 }
 
 std::optional<Question> Planner::best(const ConfigurationSet& whole_set) const {
@@ -143,7 +118,7 @@ std::optional<Question> Planner::best(const ConfigurationSet& whole_set) const {
     }
     for (const ConfigurationSet* each : {&possible, &set}) {
         if (each == &set && set == possible) break;
-        const Rows rows = rows_of(*each);
+        const Rows rows = this->rows().rows_of(*each);
         if (is_decided(rows)) continue;
         if (const auto question = looks_ahead() ? look_ahead(rows) : best_alone(*each)) return question;
     }

@@ -1,52 +1,129 @@
 #include "knowledge/plan_rows.h"
 
 #include <algorithm>
+#include <array>
+#include <cstring>
 
-// Counting walks over the rows, each with the questions that it answers with yes. Of two halves of a set only the
-// smaller one is counted: the other is the rest. Labels are summed up in ascending order, so that a count and a rest
-// give the same numbers to the last bit.
+// Counting walks over the rows. A row holds a byte for each question, so that adding a word adds eight counts at once;
+// before a byte overflows, they are taken over. Of two halves of a set only the smaller one is counted: the other is
+// the rest. Labels are summed up in ascending order, so that a count and a rest give the same numbers to the last bit.
+//
+// Rows are numbered so that those of one label are neighbours: then a set of one label is one whose first and last row
+// have the same. Labels are found by splitting classes by one wanted concept after the other, each in as many steps as
+// it has configurations.
 
 namespace partonomy::knowledge {
+namespace {
 
-PlanRows::PlanRows(std::size_t size, const std::vector<ConfigurationSet>& labels,
+constexpr std::size_t most_in_a_byte = 255;
+
+std::uint64_t scrambled(std::uint64_t x) {
+    x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9U;
+    x = (x ^ (x >> 27)) * 0x94D049BB133111EBU;
+    return x ^ (x >> 31);
+}
+
+/// Counts of questions over some rows: eight to a word, then all.
+class ByteSums {
+public:
+    explicit ByteSums(std::size_t words) : words_(words) {
+        if (words > few_.size()) many_.resize(words);
+        sums_ = many_.empty() ? few_.data() : many_.data();
+    }
+    void add(const std::uint64_t* row) {
+        for (std::size_t w = 0; w < words_; ++w) sums_[w] += row[w];
+    }
+    void take_over(std::uint32_t* counts, std::size_t questions) {
+        for (std::size_t q = 0; q < questions; ++q) counts[q] += reinterpret_cast<const unsigned char*>(sums_)[q];
+        std::fill_n(sums_, words_, 0);
+    }
+
+private:
+    std::size_t words_;
+    std::array<std::uint64_t, 16> few_{};
+    std::vector<std::uint64_t> many_;
+    std::uint64_t* sums_;
+};
+
+}  // namespace
+
+PlanRows::PlanRows(std::size_t size, std::span<const ConfigurationSet> wanted,
                    const std::vector<const ConfigurationSet*>& questions)
     : questions_(questions.size()),
-      labels_(std::max<std::size_t>(labels.size(), 1)),
+      stride_((questions.size() + 7) / 8),
+      place_(size),
       label_(size, 0),
-      first_(size + 1, 0) {
-    for (std::size_t label = 0; label < labels.size(); ++label)
-        labels[label].for_each([&](std::size_t i) { label_[i] = static_cast<std::uint32_t>(label); });
-    for (const ConfigurationSet* question : questions) question->for_each([&](std::size_t i) { ++first_[i + 1]; });
-    for (std::size_t i = 0; i < size; ++i) first_[i + 1] += first_[i];
-    yes_.resize(first_[size]);
-    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+      answers_(size * stride_, 0),
+      is_yes_(questions.size() * size, 0) {
+    codes_.reserve(size);
+    std::vector<std::uint32_t> label(size, 0);  // by configuration
+    std::vector<std::uint32_t> sizes(1, static_cast<std::uint32_t>(size)), inside(1, 0), finer(1, 0), met;
+    for (const ConfigurationSet& where : wanted) {
+        met.clear();
+        where.for_each([&](std::size_t i) {
+            if (inside[label[i]]++ == 0) met.push_back(label[i]);
+        });
+        for (const std::uint32_t each : met) {
+            const bool is_split = inside[each] < sizes[each];
+            finer[each] = is_split ? static_cast<std::uint32_t>(sizes.size()) : each;
+            if (is_split) {
+                sizes.push_back(inside[each]);
+                sizes[each] -= inside[each];
+                inside.push_back(0);
+                finer.push_back(0);
+            }
+            inside[each] = 0;
+        }
+        where.for_each([&](std::size_t i) { label[i] = finer[label[i]]; });
+    }
+    std::vector<std::uint32_t> next(sizes.size(), 0);
+    for (std::size_t each = 1; each < sizes.size(); ++each) next[each] = next[each - 1] + sizes[each - 1];
+    for (std::size_t i = 0; i < size; ++i) {
+        place_[i] = next[label[i]]++;
+        label_[place_[i]] = label[i];
+        codes_.push_back({scrambled(2 * i + 1), scrambled(~(2 * i))});
+    }
+    auto* bytes = reinterpret_cast<unsigned char*>(answers_.data());
     for (std::size_t q = 0; q < questions.size(); ++q)
-        questions[q]->for_each([&](std::size_t i) { yes_[next[i]++] = static_cast<std::uint32_t>(q); });
+        questions[q]->for_each([&](std::size_t i) {
+            bytes[place_[i] * stride_ * 8 + q] = 1;
+            is_yes_[q * size + place_[i]] = 1;
+        });
+}
+
+Rows PlanRows::rows_of(const ConfigurationSet& set) const {
+    ConfigurationSet places(place_.size());
+    std::size_t count = 0;
+    set.for_each([&](std::size_t i) {
+        places.insert(place_[i]);
+        ++count;
+    });
+    Rows rows;
+    rows.reserve(count);
+    places.for_each([&](std::size_t i) { rows.push_back(static_cast<std::uint32_t>(i)); });
+    return rows;
 }
 
 void PlanRows::count(RowSpan rows, RowCounts& counts) const {
-    const std::size_t width = questions_;
     counts.count = rows.size();
     counts.labels.clear();
-    counts.sizes.assign(labels_, 0);
-    counts.place.resize(labels_);
-    for (const std::uint32_t row : rows) ++counts.sizes[label_[row]];
-    for (std::size_t label = 0; label < labels_; ++label) {
-        if (counts.sizes[label] == 0) continue;
-        const std::size_t place = counts.labels.size();
-        counts.place[label] = static_cast<std::uint32_t>(place * width);
-        counts.sizes[place] = counts.sizes[label];
-        counts.labels.push_back(static_cast<std::uint32_t>(label));
+    counts.sizes.clear();
+    counts.yes.clear();
+    counts.yes_in_all.assign(questions_, 0);
+    ByteSums sums(stride_);
+    for (std::size_t i = 0; i < rows.size();) {
+        const std::uint32_t label = label_[rows[i]];
+        const std::size_t begin = i, at = counts.yes.size();
+        counts.yes.resize(at + questions_, 0);
+        while (i < rows.size() && label_[rows[i]] == label) {
+            const std::size_t end = std::min(rows.size(), i + most_in_a_byte);
+            for (; i < end && label_[rows[i]] == label; ++i) sums.add(&answers_[rows[i] * stride_]);
+            sums.take_over(&counts.yes[at], questions_);
+        }
+        counts.labels.push_back(label);
+        counts.sizes.push_back(static_cast<std::uint32_t>(i - begin));
+        for (std::size_t q = 0; q < questions_; ++q) counts.yes_in_all[q] += counts.yes[at + q];
     }
-    counts.sizes.resize(counts.labels.size());
-    counts.yes.assign(counts.labels.size() * width, 0);
-    for (const std::uint32_t row : rows) {
-        std::uint32_t* inside = &counts.yes[counts.place[label_[row]]];
-        for (std::uint32_t at = first_[row]; at < first_[row + 1]; ++at) ++inside[yes_[at]];
-    }
-    counts.yes_in_all.assign(width, 0);
-    for (std::size_t label = 0; label < counts.labels.size(); ++label)
-        for (std::size_t q = 0; q < width; ++q) counts.yes_in_all[q] += counts.yes[label * width + q];
 }
 
 void PlanRows::subtract(const RowCounts& whole, const RowCounts& part, RowCounts& rest) const {
@@ -75,71 +152,60 @@ void PlanRows::subtract(const RowCounts& whole, const RowCounts& part, RowCounts
 
 std::vector<std::uint32_t> PlanRows::count_yes(const ConfigurationSet& set) const {
     std::vector<std::uint32_t> counts(questions_, 0);
-    set.for_each([&](std::size_t row) {
-        for (std::uint32_t at = first_[row]; at < first_[row + 1]; ++at) ++counts[yes_[at]];
+    ByteSums sums(stride_);
+    std::size_t added = 0;
+    set.for_each([&](std::size_t i) {
+        sums.add(&answers_[place_[i] * stride_]);
+        if (++added % most_in_a_byte == 0) sums.take_over(counts.data(), questions_);
     });
+    sums.take_over(counts.data(), questions_);
     return counts;
 }
 
-bool PlanRows::has_one_label(RowSpan rows) const {
-    return std::ranges::all_of(rows, [&](std::uint32_t row) { return label_[row] == label_[rows[0]]; });
-}
+bool PlanRows::has_one_label(RowSpan rows) const { return rows.empty() || label_[rows.front()] == label_[rows.back()]; }
 
-RowTable::Entry& RowTable::place_of(std::uint64_t hash, RowSpan rows) {
-    std::size_t place = hash & (entries_.size() - 1);
-    for (; entries_[place].size > 0; place = (place + 1) & (entries_.size() - 1))
-        if (const Entry& entry = entries_[place];
-            entry.hash == hash && std::ranges::equal(rows, RowSpan(rows_).subspan(entry.first, entry.size)))
-            break;
-    return entries_[place];
-}
-
-std::uint64_t RowTable::hash_of(RowSpan rows) {
-    while (codes_.size() <= rows.back()) {
-        std::uint64_t code = (codes_.size() + 1) * 0x9E3779B97F4A7C15U;
-        code = (code ^ (code >> 29)) * 0xBF58476D1CE4E5B9U;
-        codes_.push_back(code ^ (code >> 32));
+RowSum PlanRows::sum(RowSpan rows) const {
+    RowSum result;
+    for (const std::uint32_t row : rows) {
+        result.first += codes_[row].first;
+        result.second += codes_[row].second;
     }
-    std::uint64_t sum = rows.size();
-    for (const std::uint32_t row : rows) sum += codes_[row];  // no step waits for the one before
-    return sum ^ (sum >> 31);
+    return result;
 }
 
-std::size_t RowTable::number_of(RowSpan rows) {
-    if (values_.size() * 2 >= entries_.size()) {
-        std::vector<Entry> old(std::max<std::size_t>(entries_.size() * 2, 256));
-        old.swap(entries_);
-        for (const Entry& entry : old)
-            if (entry.size > 0) place_of(entry.hash, RowSpan(rows_).subspan(entry.first, entry.size)) = entry;
-    }
-    const std::uint64_t hash = hash_of(rows);
-    Entry& entry = place_of(hash, rows);
-    if (entry.size == 0) {
-        entry = {hash, rows_.size(), rows.size(), values_.size()};
-        rows_.insert(rows_.end(), rows.begin(), rows.end());
-        values_.emplace_back();
-    }
-    return entry.number;
-}
-
-std::size_t split(std::span<std::uint32_t> rows, const ConfigurationSet& yes, Rows& scratch) {
+std::size_t PlanRows::split(std::span<std::uint32_t> rows, std::size_t question, Rows& scratch) const {
     scratch.resize(rows.size());
+    const unsigned char* is_yes = &is_yes_[question * place_.size()];
+    std::uint32_t* const out = scratch.data();
     std::size_t inside = 0, outside = 0;
     for (const std::uint32_t row : rows) {  // without a branch, since nobody can guess it
-        const bool is_in = yes.has(row);
-        scratch[outside] = rows[inside] = row;
+        const std::size_t is_in = is_yes[row];
+        out[outside] = rows[inside] = row;
         inside += is_in;
-        outside += !is_in;
+        outside += 1 - is_in;
     }
     std::copy_n(scratch.begin(), outside, rows.begin() + static_cast<std::ptrdiff_t>(inside));
     return inside;
 }
 
-Rows rows_of(const ConfigurationSet& set) {
-    Rows rows;
-    rows.reserve(set.count());
-    set.for_each([&](std::size_t i) { rows.push_back(static_cast<std::uint32_t>(i)); });
-    return rows;
+RowTable::Entry& RowTable::place_of(RowSum set) {
+    std::size_t place = set.first & (entries_.size() - 1);
+    while (entries_[place].is_used && entries_[place].set != set) place = (place + 1) & (entries_.size() - 1);
+    return entries_[place];
+}
+
+std::optional<double>& RowTable::value(RowSum set) {
+    if (used_ * 2 >= entries_.size()) {
+        std::vector<Entry> old(std::max<std::size_t>(entries_.size() * 2, 256));
+        old.swap(entries_);
+        for (const Entry& entry : old)
+            if (entry.is_used) place_of(entry.set) = entry;
+    }
+    Entry& entry = place_of(set);
+    used_ += !entry.is_used;
+    entry.set = set;
+    entry.is_used = true;
+    return entry.value;
 }
 
 }  // namespace partonomy::knowledge

@@ -30,8 +30,8 @@ public:
           levels_(find_levels(ontology_, theory_.ranges)),
           grounder_(ontology_, levels_, theory_) {
         for (const auto& [iri, level] : levels_)
-            if (level > Level::relation && iri != core_term("Region") && iri != core_term("CompositePart") &&
-                iri != core_term("Object"))
+            if (level > Level::relation && !is_core_term(iri, "Region") && !is_core_term(iri, "CompositePart") &&
+                !is_core_term(iri, "Object"))
                 theory_.concepts.push_back({iri, level, false, -1, 0, -1});
     }
 
@@ -86,7 +86,7 @@ private:
 
     /// hasPart, a property that leads to a range concept, or a measured one. No other property links anything.
     [[nodiscard]] bool is_known(const Iri& property) const {
-        return property == core_term("hasPart") ||
+        return is_core_term(property, "hasPart") ||
                std::ranges::any_of(theory_.ranges, [&](const auto& r) { return r.property == property; }) ||
                std::ranges::any_of(theory_.numbers, [&](const auto& n) { return n.iri == property; });
     }
@@ -95,7 +95,7 @@ private:
     void read_property(std::size_t index) {
         const Axiom& axiom = ontology_.axioms[index];
         const Iri& property = axiom.properties[0].iri;
-        const bool of_parts = property == core_term("hasPart");
+        const bool of_parts = is_core_term(property, "hasPart");
         const bool all_known = std::ranges::all_of(axiom.properties, [&](const auto& p) { return is_known(p.iri); });
         const bool all_same = std::ranges::all_of(axiom.properties, [&](const auto& p) { return p.iri == property; });
         const bool one_known = is_known(property);
@@ -118,7 +118,7 @@ private:
                 return constrain(Level::object, index, at_most_one_part(axiom));
             case AxiomKind::inverse_functional_object_property:
                 if (of_parts && std::ranges::any_of(theory_.concepts, [](const NamedConcept& each) {
-                        return each.level == Level::composite && each.iri != core_term("CompositePart");
+                        return each.level == Level::composite && !is_core_term(each.iri, "CompositePart");
                     }))
                     refuse(axiom, "a part of a composite part is a part of the object, too", "take it away");
                 return;  // there is one object, and each region has values of its own
@@ -166,7 +166,7 @@ private:
         const Axiom& axiom = ontology_.axioms[index];
         const Iri& property = axiom.properties[0].iri;
         const bool is_domain = axiom.kind != AxiomKind::object_property_range;
-        if (property == core_term("hasPart")) {
+        if (is_core_term(property, "hasPart")) {
             if (!is_domain)
                 return constrain(Level::region, index, grounder_.ground_within(axiom.classes[0], Level::region, axiom));
             auto has_parts = std::make_shared<owl::ClassExpression>();
@@ -260,7 +260,7 @@ private:
         const auto split = [&](const auto& self, const ClassPointer& part) -> void {
             if (part->kind == ClassKind::intersection_of)
                 for (const ClassPointer& operand : part->operands) self(self, operand);
-            else if (part->kind == ClassKind::named && part->iri == core_term("Incompatible"))
+            else if (part->kind == ClassKind::named && is_core_term(part->iri, "Incompatible"))
                 incompatible = true;
             else
                 rest.push_back(part);
@@ -474,7 +474,7 @@ private:
 
 bool is_left_aside(const Theory& theory, const owl::Ontology& ontology, const std::map<Iri, Level>& levels,
                    const Iri& iri) {
-    if (levels.contains(iri) || is_thing(iri) || is_nothing(iri) || iri == core_term("Incompatible")) return false;
+    if (levels.contains(iri) || is_thing(iri) || is_nothing(iri) || is_core_term(iri, "Incompatible")) return false;
     const auto is_it = [&](const ClassPointer& c) { return c->kind == ClassKind::named && c->iri == iri; };
     const bool is_asked = std::ranges::any_of(
         theory.concepts, [&](const NamedConcept& named) { return named.open != nullptr && is_it(named.open); });
@@ -502,6 +502,12 @@ bool is_left_aside(const Theory& theory, const owl::Ontology& ontology, const st
 }
 
 Iri core_term(const char* name) { return std::string(owl::core_prefix) + name; }
+
+bool is_core_term(const Iri& iri, std::string_view name) {
+    constexpr std::string_view prefix = owl::core_prefix;
+    return iri.size() == prefix.size() + name.size() && iri.ends_with(name) && iri.starts_with(prefix);
+}
+
 bool is_thing(const Iri& iri) { return iri == "http://www.w3.org/2002/07/owl#Thing"; }
 bool is_nothing(const Iri& iri) { return iri == "http://www.w3.org/2002/07/owl#Nothing"; }
 

@@ -5,6 +5,7 @@
 #include <set>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "knowledge/domain.h"
@@ -21,6 +22,8 @@ enum class Level { unknown, feature, relation, region, whole, composite, object 
 
 /// A term of the core ontology: core_term("Region").
 [[nodiscard]] Iri core_term(const char* name);
+/// Whether `iri` is core_term(name).
+[[nodiscard]] bool is_core_term(const Iri& iri, std::string_view name);
 [[nodiscard]] bool is_thing(const Iri& iri);
 [[nodiscard]] bool is_nothing(const Iri& iri);
 

@@ -51,7 +51,7 @@ private:
     void add(const Axiom& axiom) {
         switch (axiom.kind) {
             case AxiomKind::object_property_range:
-                if (axiom.classes[0]->iri != core_term("Relation") && are_named(axiom)) {
+                if (!is_core_term(axiom.classes[0]->iri, "Relation") && are_named(axiom)) {
                     groups_.emplace(axiom.classes[0]->iri, axiom.classes[0]->iri);
                     groups_.emplace(axiom.properties[0].iri, axiom.classes[0]->iri);
                 }
@@ -61,7 +61,7 @@ private:
                     for (const auto& each : axiom.classes) groups_.emplace(each->iri, axiom.classes[0]->iri);
                 return;
             case AxiomKind::sub_class_of:
-                if (are_named(axiom) && axiom.classes[1]->iri == core_term("Relation"))
+                if (are_named(axiom) && is_core_term(axiom.classes[1]->iri, "Relation"))
                     groups_.emplace(axiom.classes[0]->iri, axiom.classes[0]->iri);
                 return;
             case AxiomKind::data_property_domain:

@@ -99,8 +99,11 @@ std::string Declarations::suggestion(const Iri& iri, EntityKind kind) const {
     if (is_property)
         wanted = 1U << static_cast<unsigned>(EntityKind::object_property) |
                  1U << static_cast<unsigned>(EntityKind::data_property);
-    for (const auto& [candidate, kinds] : kinds_) {
-        if ((kinds & wanted) == 0 || candidate == iri) continue;
+    std::vector<Iri> candidates;
+    for (const auto& [candidate, kinds] : kinds_)
+        if ((kinds & wanted) != 0 && candidate != iri) candidates.push_back(candidate);
+    std::ranges::sort(candidates);
+    for (const Iri& candidate : candidates) {
         const std::string other = local_name(candidate);
         constexpr std::size_t telling = 5;  // letters: a name that was cut short, or grew
         if (std::min(name.size(), other.size()) >= telling && best > 1 && other != name &&
@@ -123,6 +126,7 @@ std::vector<Iri> Declarations::names_of_core(EntityKind kind) const {
     std::vector<Iri> names;
     for (const auto& [iri, kinds] : kinds_)
         if ((kinds >> static_cast<unsigned>(kind) & 1U) != 0 && iri.starts_with(core_prefix)) names.push_back(iri);
+    std::ranges::sort(names);
     return names;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <map>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "owl/rdf_graph.h"
@@ -28,7 +28,7 @@ struct Declarations {
 private:
     void add(const Iri& iri, EntityKind kind) { kinds_[iri] |= 1U << static_cast<unsigned>(kind); }
     static constexpr unsigned built_in = 1U << 8;
-    std::map<Iri, unsigned> kinds_;  ///< a bit for each EntityKind, and built_in
+    std::unordered_map<Iri, unsigned> kinds_;  ///< a bit for each EntityKind, and built_in
 };
 
 class AnonymousNames;

@@ -60,7 +60,7 @@ std::string short_name(const std::string& iri) {
 }
 
 Node Graph::intern(const std::string& key, Term&& term) {
-    const auto [entry, is_new] = nodes_.try_emplace(key, static_cast<Node>(terms.size()));
+    const auto [entry, is_new] = others_.try_emplace(key, static_cast<Node>(terms.size()));
     if (is_new) terms.push_back(std::move(term));
     return entry->second;
 }
@@ -71,8 +71,8 @@ Node Graph::iri(const std::string& value, long line) {
                                "an IRI of " + std::to_string(value.size()) + " bytes is too long; at most " +
                                    std::to_string(max_iri) + " are read"));
     }
-    const auto found = nodes_.find("<" + value);
-    if (found != nodes_.end()) return found->second;
+    const auto found = iris_.find(value);
+    if (found != iris_.end()) return found->second;
     if (!value.empty() && !((value[0] | 0x20) >= 'a' && (value[0] | 0x20) <= 'z'))
         throw OntologyError(
             at(file, line,
@@ -83,7 +83,8 @@ Node Graph::iri(const std::string& value, long line) {
         const std::string what = c == ' ' ? "a space" : is_control ? "a control character" : between("'", {c}, "'");
         throw OntologyError(at(file, line, "an IRI cannot hold " + what + (c == ' ' ? "; write %20" : "")));
     }
-    return intern("<" + value, {TermKind::iri, word_of(value), value, {}, {}});
+    terms.push_back({TermKind::iri, word_of(value), value, {}, {}});
+    return iris_.emplace(value, static_cast<Node>(terms.size() - 1)).first->second;
 }
 
 Node Graph::literal(const std::string& value, const std::string& datatype, const std::string& language) {

@@ -62,8 +62,8 @@ struct Graph {
     static constexpr std::size_t max_iri = 4096;
 
 private:
-    Node intern(const std::string& key, Term&& term);
-    std::unordered_map<std::string, Node> nodes_;
+    Node intern(const std::string& key, Term&& term);  ///< no IRI
+    std::unordered_map<std::string, Node> iris_, others_;
     std::vector<std::int64_t> words_;
 };
 

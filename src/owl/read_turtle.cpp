@@ -5,6 +5,7 @@
 
 #include <map>
 #include <string_view>
+#include <unordered_map>
 
 #include "base/errors.h"
 #include "owl/rdf_graph.h"
@@ -61,6 +62,8 @@ private:
     std::string base_;
     Graph& graph_;
     std::map<std::string, std::string, std::less<>> prefixes_;
+    std::unordered_map<std::string, Node> names_;  ///< nodes of prefixed names, as the prefixes are now
+    std::string name_;                             ///< the one that is looked up
     int depth_ = 0;
 };
 
@@ -120,6 +123,7 @@ void TurtleReader::prefix(bool is_sparql) {
         lexer_.fail(lexer_.line, "the prefix '" + name + ":' wants an IRI in < >, here stands " + lexer_.shown());
     }
     prefixes_[name] = resolve_iri(base_, lexer_.text);
+    names_.clear();
     lexer_.next();
     if (!is_sparql) end_statement("the declaration of the prefix '" + name + ":'");
 }
@@ -219,10 +223,16 @@ std::string TurtleReader::expanded() {
 }
 
 Node TurtleReader::named() {
-    const std::string iri = lexer_.kind == Kind::name ? expanded() : resolve_iri(base_, lexer_.text);
-    const Node node = graph_.iri(iri, lexer_.line);
+    if (lexer_.kind != Kind::name) {
+        const Node node = graph_.iri(resolve_iri(base_, lexer_.text), lexer_.line);
+        lexer_.next();
+        return node;
+    }
+    name_.assign(lexer_.text).append(1, ':').append(lexer_.local);  // a prefix holds no ':'
+    const auto [known, is_new] = names_.try_emplace(name_, 0);
+    if (is_new) known->second = graph_.iri(expanded(), lexer_.line);
     lexer_.next();
-    return node;
+    return known->second;
 }
 
 Node TurtleReader::string_literal() {

@@ -210,6 +210,7 @@ std::size_t TurtleLexer::name_end(std::size_t from, bool is_local) const {
 }
 
 std::string TurtleLexer::unescaped_local(std::string_view raw) const {
+    if (raw.find('\\') == std::string_view::npos) return std::string(raw);
     std::string out;
     for (std::size_t i = 0; i < raw.size(); ++i) {
         if (raw[i] == '\\') ++i;
