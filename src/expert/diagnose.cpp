@@ -64,6 +64,8 @@ private:
         if (explanation.needs_completeness) diagnosis.answers.emplace_back(no_other_parts);
         for (const std::size_t i : explanation.axioms)
             diagnosis.axioms.push_back(axiom_in_words(domain_.ontology.axioms[i]));
+        if (!explanation.is_minimal)
+            diagnosis.answers.emplace_back("perhaps not all of this is needed: a limit of steps was reached");
     }
 
     /// All answers about the parts to blame, and the definition.

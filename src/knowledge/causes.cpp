@@ -42,7 +42,7 @@ std::vector<Cause> causes(const Theory& theory, Level level, int goal, std::size
             sets.push_back(std::move(each.set));
     }
     if (sets.empty())
-        if (auto one = minimal_conflict(solver, selectors)) sets.push_back(std::move(*one));
+        if (auto one = minimal_conflict(solver, selectors)) sets.push_back(std::move(one->set));
     std::vector<Cause> result;
     for (const SelectorSet& set : sets) {
         Cause& cause = result.emplace_back();

@@ -62,11 +62,13 @@ struct Explanation {
     std::vector<std::size_t> answers;  ///< indices into Knowledge::answers
     std::vector<std::size_t> axioms;   ///< indices into Ontology::axioms
     bool needs_completeness = false;   ///< it also rests on "there are no other parts"
+    bool is_minimal = true;            ///< false: a limit of steps was reached, and some of it may not be needed
     bool operator==(const Explanation&) const = default;
 };
 
 /// Why the object is a `concept_iri` (an Incompatible one, or any concept of the object layer that is entailed), or,
-/// with an empty IRI, why the knowledge is contradictory. Minimal: nothing can be left out. Explanations that do
+/// with an empty IRI, why the knowledge is contradictory. Minimal: nothing can be left out, but where a limit of steps
+/// was reached (Explanation::is_minimal). Explanations that do
 /// without "there are no other parts", and those by the concept's own definition, come first. Of a concept of regions
 /// the reason for `region` is told, by default for the first region that is entailed to be one. Throws
 /// std::invalid_argument when it is not entailed; OntologyError when concepts count thousands of parts.

@@ -29,7 +29,7 @@ namespace {
 
 class Conflicts {
 public:
-    /// nullptr: as many steps as it takes.
+    /// nullptr: as many steps as it takes, until take_from says otherwise.
     Conflicts(Solver& solver, std::span<const Selector> selectors, Steps* steps)
         : solver_(solver), selectors_(selectors) {
         solver_.take_from(steps);
@@ -51,8 +51,15 @@ public:
         return solver_.solve(assumptions) == Verdict::unsatisfiable;
     }
 
+    void take_from(Steps* steps) { solver_.take_from(steps); }
+
     /// A conflict within `set`, which has one.
     [[nodiscard]] SelectorSet shrink(SelectorSet set) {
+        shrink_in_place(set);
+        return set;
+    }
+    /// When the steps run out, `set` has still a conflict.
+    void shrink_in_place(SelectorSet& set) {
         keep_core(set);
         for (std::size_t k = 0; k < set.size();) {
             SelectorSet fewer = set;
@@ -64,7 +71,6 @@ public:
                 ++k;
             }
         }
-        return set;
     }
 
     /// What is missing in a largest set around `set`, which has no conflict: a correction.
@@ -141,10 +147,18 @@ RankedSets lightest(Conflicts& conflicts, const ExplanationOptions& options, Ste
 
 }  // namespace
 
-std::optional<SelectorSet> minimal_conflict(Solver& solver, std::span<const Selector> selectors) {
+std::optional<Conflict> minimal_conflict(Solver& solver, std::span<const Selector> selectors, std::uint64_t most) {
     Conflicts conflicts(solver, selectors, nullptr);
     if (!conflicts.has_conflict(conflicts.all())) return std::nullopt;
-    return conflicts.shrink(conflicts.all());
+    Steps steps(most);
+    conflicts.take_from(&steps);
+    Conflict conflict{conflicts.all()};
+    try {
+        conflicts.shrink_in_place(conflict.set);
+    } catch (const OutOfSteps&) {
+        conflict.is_minimal = false;
+    }
+    return conflict;
 }
 
 ConflictsAndCorrections all_conflicts(Solver& solver, std::span<const Selector> selectors,

@@ -39,8 +39,14 @@ struct RankedSets {
    follows, give the solver its negation as a clause, or as one more selector. All functions give the same answer each
    time they are asked with a new solver. */
 
-/// One conflict; selectors early in the list are given up first. nullopt when there is none.
-[[nodiscard]] std::optional<SelectorSet> minimal_conflict(Solver& solver, std::span<const Selector> selectors);
+struct Conflict {
+    SelectorSet set;
+    bool is_minimal = true;  ///< false: the steps ran out before it was known of each selector that it is needed
+};
+/// One conflict; selectors early in the list are given up first. nullopt when there is none. Whether there is one takes
+/// as long as it takes, as it did when it was found; `steps` limit making it minimal.
+[[nodiscard]] std::optional<Conflict> minimal_conflict(Solver& solver, std::span<const Selector> selectors,
+                                                       std::uint64_t steps = ExplanationOptions{}.steps);
 
 /// All conflicts and all corrections, each by ascending weight, then size, then place.
 struct ConflictsAndCorrections {

@@ -1,7 +1,12 @@
 #include "knowledge/groups.h"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
+
+#include "knowledge/choices.h"
+#include "knowledge/formula_clauses.h"
+#include "knowledge/solver.h"
 
 // Which composite parts there are. A definition such as
 //
@@ -14,6 +19,10 @@
 // (Cushioned: Back or SeatPad) is evaluated on whatever groups the others make.
 //
 // Groups of groups follow from mentions of composite concepts, and the layers from who mentions whom.
+//
+// What belongs to a group must be known of a region once its features are: a mention that hangs on a restriction which
+// is no question (open_restrictions.cpp) is refused, since nobody could ever say which composite parts there are. It
+// hangs on one when two things with the same features, of which one belongs, can differ in what is open alone.
 
 namespace partonomy::knowledge {
 namespace {
@@ -75,6 +84,62 @@ void find_inner(const Theory& theory, FormulaId id, std::vector<char>& seen, std
         groups.push_back(named.group);
     else if (named.definition >= 0)
         find_inner(theory, named.definition, seen, groups);
+}
+
+/// A restriction that is no question and on which the formula hangs; null when there is none.
+owl::ClassPointer hangs_on(const Theory& theory, FormulaId whole) {
+    owl::ClassPointer open;
+    Clauses clauses;
+    std::map<std::size_t, std::vector<int>> features;
+    std::map<int, int> concepts;                          // without definition
+    std::map<FormulaId, int> counts;                      // of the parts of a composite part
+    std::array<std::map<int, int>, 2> open_in, named_in;  // of either thing
+    const auto literal = [&](const auto& self, std::size_t thing, FormulaId id) -> int {
+        const auto is_concept = [&](int c) {
+            const NamedConcept& named = theory.concepts[static_cast<std::size_t>(c)];
+            const auto [known, is_new] = (named.open             ? open_in[thing]
+                                          : named.definition < 0 ? concepts
+                                                                 : named_in[thing])
+                                             .try_emplace(c, 0);
+            if (!is_new) return known->second;
+            if (named.open && !open) open = named.open;
+            const int made = named.definition < 0 ? clauses.add_variable() : self(self, thing, named.definition);
+            return known->second = made;
+        };
+        const auto values = [&](std::size_t feature) -> const std::vector<int>& {
+            std::vector<int>& made = features[feature];
+            if (made.empty()) made = add_choice(clauses, theory.value_count(feature));
+            return made;
+        };
+        const auto count = [&](const Formula&) {
+            int& made = counts[id];
+            return made = made == 0 ? clauses.add_variable() : made;
+        };
+        return formula_literal(
+            clauses, theory.formulas[static_cast<std::size_t>(id)],
+            [&](FormulaId operand) { return self(self, thing, operand); }, values, is_concept, count);
+    };
+    clauses.add({literal(literal, 0, whole)});
+    if (!open) return nullptr;
+    clauses.add({-literal(literal, 1, whole)});
+    return Solver(clauses).solve() == Verdict::satisfiable ? open : nullptr;
+}
+
+void refuse_open_groups(const Theory& theory, std::span<const Mentions> mentions, const owl::Ontology& ontology) {
+    for (std::size_t g = 0; g < theory.groups.size(); ++g)
+        for (const FormulaId whole : {theory.groups[g].regions, theory.groups[g].composites}) {
+            if (!hangs_on(theory, whole)) continue;
+            for (const Mentions& each : mentions) {
+                const NamedConcept& named = theory.concepts[static_cast<std::size_t>(each.concept_id)];
+                if (named.group != static_cast<int>(g)) continue;
+                for (const auto& [formula, level] : each.parts)
+                    if (const owl::ClassPointer open = hangs_on(theory, formula))
+                        refuse(ontology.axioms[named.axiom],
+                               "what belongs to " + with_article(owl::local_name(named.iri)) + " hangs on \"" +
+                                   to_manchester(*open) + "\", which no question is about",
+                               "name what belongs to it by features, and let a concept below it say the rest");
+            }
+        }
 }
 
 }  // namespace
@@ -166,6 +231,7 @@ void find_groups(Theory& theory, Grounder& grounder, std::span<const Mentions> m
         theory.formulas.push_back(std::move(marker));
         theory.groups.push_back(std::move(group));
     }
+    refuse_open_groups(theory, mentions, ontology);
 }
 
 }  // namespace partonomy::knowledge

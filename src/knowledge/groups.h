@@ -13,7 +13,8 @@ struct Mentions {
 };
 
 /// Fills Theory::groups, and NamedConcept::group of the composite concepts that say what they consist of. `told`:
-/// concepts that are told to be below others. Throws OntologyError when groups are made of each other.
+/// concepts that are told to be below others. Throws OntologyError when groups are made of each other, or when what
+/// belongs to them can never be known.
 void find_groups(Theory& theory, Grounder& grounder, std::span<const Mentions> mentions,
                  std::span<const std::pair<int, int>> told, const owl::Ontology& ontology);
 

@@ -5,16 +5,21 @@
    open; what is known of a set already is assumed, which is sound and saves the solver work. Explanations are minimal
    conflicts between selectors, corrections the cheapest sets of answers to give up (explanations.h).
 
+   The world is told which composite parts there are. For explanations the regions are there a second time, as clauses
+   that say which composite parts they make (object_composites.cpp); both share the selectors of axioms and answers, and
+   what the world is told of a composite part only holds when the second formula makes it. So one minimal conflict of
+   both is minimal also in what makes composite parts.
+
    Cost: 20 parts with 5 features are 121 individuals, some 10,000 clauses and a few milliseconds; what properties of
    which nothing is known cost grows with the square of the individuals. */
 
 #include <algorithm>
-#include <map>
-#include <set>
 #include <stdexcept>
 
 #include "knowledge/assembly.h"
 #include "knowledge/mesh_world.h"
+#include "knowledge/object_clauses.h"
+#include "knowledge/reasons.h"
 #include "knowledge/solver.h"
 
 namespace partonomy::knowledge {
@@ -113,7 +118,7 @@ struct MeshReasoner::State {
         }
     }
 
-    enum class Element { axiom, answer, composite };
+    enum class Element { axiom, answer };
 
     /// What explanations and corrections are about: selectors, the goal's negation being required.
     struct Question {
@@ -142,79 +147,64 @@ struct MeshReasoner::State {
         Question question{{}, {}, Solver(grounded.clauses())};
         const std::vector<int>& selectors = grounded.selectors();
         const std::size_t axioms = domain.ontology.axioms.size();
-        std::map<std::size_t, std::size_t> composite_of;  // axioms that tell of one
-        if (!axioms_are_given) composite_of.insert(mesh.told_composites.begin(), mesh.told_composites.end());
         const auto add = [&](Element element, std::size_t i, std::size_t index, double weight) {
             question.selectors.push_back({selectors[i], weight});
             question.elements.emplace_back(element, index);
         };
+        std::vector<char> follows(selectors.size(), 0);  // what is told of composite parts, from what makes them
+        if (!axioms_are_given && !composites.empty()) {
+            for (const auto& [axiom, composite] : mesh.told_composites) follows[axiom] = 1;
+            link_composites(question.solver);
+        }
         for (std::size_t i = 0; i < selectors.size(); ++i) {
             if (i < axioms && !axioms_are_given)
                 add(Element::axiom, i, i, 1);
             else if (i >= mesh.first_answer && i < mesh.first_answer + knowledge.answers.size())
                 add(Element::answer, i, i - mesh.first_answer, costs ? (*costs)[i - mesh.first_answer] : 1);
-            else if (const auto found = composite_of.find(i); found != composite_of.end())
-                add(Element::composite, i, found->second, 1);
-            else
+            else if (!follows[i])
                 given.push_back(selectors[i]);
         }
         question.solver.require(given);
         return question;
     }
 
+    /// What is told of a composite part holds when there is one of just these regions; which there are follows from
+    /// answers and axioms about regions.
+    void link_composites(Solver& into) const {
+        const std::vector<int>& selectors = grounded.selectors();
+        ObjectClauses object(theory());
+        for (int region = 0; region < knowledge.region_count; ++region) static_cast<void>(object.add_region());
+        for (const auto& [a, b] : knowledge.connected)
+            object.touch(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
+        object.require_constraints(Level::region);
+        std::vector<int> is_there;
+        for (const CompositePart& part : composites)
+            is_there.push_back(object.composite(static_cast<std::size_t>(part.group),
+                                                std::vector<std::size_t>(part.regions.begin(), part.regions.end())));
+        std::vector<int> answers;
+        for (const Answer& answer : knowledge.answers)
+            answers.push_back(literal_of(domain, object, static_cast<std::size_t>(answer.region), answer));
+        const int by = into.append(object.clauses);
+        const auto there = [&](int literal) { return literal > 0 ? literal + by : literal - by; };
+        Clauses links;
+        for (const std::size_t axiom : object.axioms()) links.add({-selectors[axiom], there(object.selector(axiom))});
+        for (std::size_t i = 0; i < answers.size(); ++i)
+            links.add({-selectors[mesh.first_answer + i], there(answers[i])});
+        for (const auto& [axiom, composite] : mesh.told_composites)
+            links.add({-there(is_there[composite]), selectors[axiom]});
+        into.add_more(links);
+    }
+
     [[nodiscard]] Explanation explanation(const Question& question, const SelectorSet& set) const {
-        std::set<std::size_t> answers, axioms;
+        Explanation result;
+        result.needs_completeness = true;
         for (const std::size_t i : set) {
             const auto [element, index] = question.elements[i];
-            if (element == Element::composite)
-                add_reasons(composites[index], answers, axioms);
-            else
-                (element == Element::answer ? answers : axioms).insert(index);
+            (element == Element::answer ? result.answers : result.axioms).push_back(index);
         }
-        return {{answers.begin(), answers.end()}, {axioms.begin(), axioms.end()}, true};
-    }
-
-    [[nodiscard]] bool mentions_parts(FormulaId id) const {
-        const Formula& formula = theory().formulas[static_cast<std::size_t>(id)];
-        return formula.kind == Formula::Kind::parts ||
-               std::ranges::any_of(formula.operands, [&](FormulaId operand) { return mentions_parts(operand); });
-    }
-
-    /// Why there is this composite part: what makes each region around it belong to its group or not, and the axioms
-    /// that say what belongs.
-    void add_reasons(const CompositePart& part, std::set<std::size_t>& answers, std::set<std::size_t>& axioms) const {
-        std::set<int> around(part.regions.begin(), part.regions.end());
-        for (const auto& [a, b] : knowledge.connected) {
-            if (std::ranges::binary_search(part.regions, a)) around.insert(b);
-            if (std::ranges::binary_search(part.regions, b)) around.insert(a);
-        }
-        const ConfigurationSet& members = domain.composites[static_cast<std::size_t>(part.group)].regions;
-        for (const int region : around) {
-            std::vector<std::size_t> kept;
-            for (std::size_t i = 0; i < knowledge.answers.size(); ++i)
-                if (knowledge.answers[i].region == region) kept.push_back(i);
-            const auto is_told = [&] {
-                ConfigurationSet set = domain.regions.all();
-                for (const std::size_t i : kept) {
-                    const ConfigurationSet yes = yes_set(domain.regions, knowledge.answers[i].question);
-                    if (knowledge.answers[i].yes)
-                        set &= yes;
-                    else
-                        set -= yes;
-                }
-                return set.is_subset_of(members) || !set.intersects(members);
-            };
-            if (!is_told()) continue;  // made of composite parts itself, each of which has its reasons
-            for (std::size_t k = kept.size(); k-- > 0;) {
-                const std::size_t left_out = kept[k];
-                kept.erase(kept.begin() + static_cast<std::ptrdiff_t>(k));
-                if (!is_told()) kept.insert(kept.begin() + static_cast<std::ptrdiff_t>(k), left_out);
-            }
-            answers.insert(kept.begin(), kept.end());
-        }
-        for (const NamedConcept& named : theory().concepts)
-            if (named.group == part.group && named.definition >= 0 && mentions_parts(named.definition))
-                axioms.insert(named.axiom);
+        std::ranges::sort(result.answers);
+        std::ranges::sort(result.axioms);
+        return result;
     }
 };
 
@@ -267,11 +257,13 @@ void MeshReasoner::narrow(std::vector<CompositePart>& composites) {
 
 Explanation MeshReasoner::explain(const Iri& concept_iri, int region) {
     State::Question question = state_->ask(concept_iri, region, false, nullptr);
-    const std::optional<SelectorSet> set = minimal_conflict(question.solver, question.selectors);
-    if (!set)
+    const std::optional<Conflict> found = minimal_conflict(question.solver, question.selectors);
+    if (!found)
         throw std::invalid_argument("explain: " + (concept_iri.empty() ? std::string("a contradiction") : concept_iri) +
                                     " does not follow from what is known");
-    return state_->explanation(question, *set);
+    Explanation explanation = state_->explanation(question, found->set);
+    explanation.is_minimal = found->is_minimal;
+    return explanation;
 }
 
 Explanations MeshReasoner::explain_all(const Iri& concept_iri, int region, const ExplanationOptions& options) {
@@ -279,10 +271,7 @@ Explanations MeshReasoner::explain_all(const Iri& concept_iri, int region, const
     const RankedSets found = all_conflicts(question.solver, question.selectors, options).conflicts;
     Explanations result;
     result.is_complete = found.is_complete;
-    for (const RankedSet& each : found.sets) {
-        Explanation found_one = state_->explanation(question, each.set);
-        if (std::ranges::find(result.sets, found_one) == result.sets.end()) result.sets.push_back(std::move(found_one));
-    }
+    for (const RankedSet& each : found.sets) result.sets.push_back(state_->explanation(question, each.set));
     return result;
 }
 

@@ -37,7 +37,9 @@ public:
     [[nodiscard]] int object_concept(int id);
     /// Whether some composite part is a member of the concept.
     [[nodiscard]] int some_composite(int id);
-    /// Whether there is a composite part of just these regions (ascending), and it is a member of the concept.
+    /// Whether there is a composite part of just these regions (ascending).
+    [[nodiscard]] int composite(std::size_t group, const std::vector<std::size_t>& regions);
+    /// The same, and it is a member of the concept.
     [[nodiscard]] int composite_concept(std::size_t group, const std::vector<std::size_t>& regions, int id);
     /// True when none of the further parts is there.
     [[nodiscard]] int no_further_parts();

@@ -100,15 +100,20 @@ int ObjectClauses::composite_count(const Member& whole, const Formula& formula) 
     return open;
 }
 
-int ObjectClauses::composite_concept(std::size_t group, const std::vector<std::size_t>& regions, int id) {
-    Composites& all = composites(group);
-    Member& part = all.members[regions[0]];
-    std::vector<int> conditions{part.present, concept_literal(part, id)};
+int ObjectClauses::composite(std::size_t group, const std::vector<std::size_t>& regions) {
+    const Composites& all = composites(group);
+    const Member& part = all.members[regions[0]];
+    std::vector<int> conditions{part.present};
     for (std::size_t r = 0; r < region_count(); ++r) {
         const int held = all.holds[part.first][r];
         conditions.push_back(std::ranges::binary_search(regions, r) ? held : -held);
     }
     return clauses.all_of(conditions);
+}
+
+int ObjectClauses::composite_concept(std::size_t group, const std::vector<std::size_t>& regions, int id) {
+    const int is_there = composite(group, regions);
+    return clauses.all_of({is_there, concept_literal(composites(group).members[regions[0]], id)});
 }
 
 int ObjectClauses::some_composite(int id) {

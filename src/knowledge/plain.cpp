@@ -132,7 +132,7 @@ private:
         const auto found = ontology_.annotations.find(names_({property, false}).iri);
         return found != ontology_.annotations.end() &&
                std::ranges::any_of(found->second, [](const owl::Annotation& annotation) {
-                   return annotation.property == core_term("measure");
+                   return is_core_term(annotation.property, "measure");
                });
     }
 

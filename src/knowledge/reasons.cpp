@@ -74,20 +74,6 @@ Goal find_goal(const Domain& domain, const Conclusions& known, const Iri& iri, i
                                 " does not follow from what is known");
 }
 
-/// The literal of an answer about a part.
-int literal_of(const Domain& domain, ObjectClauses& object, std::size_t part, const Answer& answer) {
-    const Theory& theory = domain.grounding->theory;
-    const auto variable = static_cast<std::size_t>(answer.question.variable);
-    int literal = 0;
-    if (variable >= theory.feature_count())
-        literal = object.region_concept(part, theory.find(domain.regions.variables[variable].iri));
-    else if (variable >= theory.ranges.size() && variable < theory.ranges.size() + theory.numbers.size())
-        literal = object.up_to(part, variable, answer.question.value);
-    else
-        literal = object.value(part, variable, answer.question.value);
-    return answer.yes ? literal : -literal;
-}
-
 /// Tells which of the regions touch; `parts`: their numbers in the object.
 void touch(ObjectClauses& object, const std::map<int, std::size_t>& parts, const Knowledge& knowledge) {
     for (const auto& [a, b] : knowledge.connected)
@@ -171,9 +157,11 @@ public:
         std::size_t begin = 0;
         for (const std::size_t later : {first_answer_, std::size_t{!elements_.empty()}})
             if (begin == 0 && later > 0 && conflicts(solver, later)) begin = later;
-        const auto set = minimal_conflict(solver, std::span(selectors_).subspan(begin));
-        if (!set) throw std::logic_error("explain: the clauses do not entail what the layers do");
-        return explanation(*set, begin);
+        const auto found = minimal_conflict(solver, std::span(selectors_).subspan(begin));
+        if (!found) throw std::logic_error("explain: the clauses do not entail what the layers do");
+        Explanation result = explanation(found->set, begin);
+        result.is_minimal = found->is_minimal;
+        return result;
     }
 
     [[nodiscard]] Explanations all(const ExplanationOptions& options) const {
@@ -218,6 +206,19 @@ private:
 };
 
 }  // namespace
+
+int literal_of(const Domain& domain, ObjectClauses& object, std::size_t part, const Answer& answer) {
+    const Theory& theory = domain.grounding->theory;
+    const auto variable = static_cast<std::size_t>(answer.question.variable);
+    int literal = 0;
+    if (variable >= theory.feature_count())
+        literal = object.region_concept(part, theory.find(domain.regions.variables[variable].iri));
+    else if (variable >= theory.ranges.size() && variable < theory.ranges.size() + theory.numbers.size())
+        literal = object.up_to(part, variable, answer.question.value);
+    else
+        literal = object.value(part, variable, answer.question.value);
+    return answer.yes ? literal : -literal;
+}
 
 struct FromAxioms::State {
     State(const Domain& domain, const Knowledge& knowledge, int goal, const std::vector<char>& answers, bool complete)

@@ -22,6 +22,10 @@ namespace partonomy::knowledge {
                                                        const Iri& concept_iri, const std::vector<double>& costs,
                                                        int region, const ExplanationOptions& options);
 
+class ObjectClauses;
+/// The literal of an answer about a part of `object`.
+[[nodiscard]] int literal_of(const Domain& domain, ObjectClauses& object, std::size_t part, const Answer& answer);
+
 /// Whether a concept of objects (a contradiction for -1) follows from some answers and some of the axioms, asked again
 /// and again with fewer axioms. For theories without composite parts.
 class FromAxioms {

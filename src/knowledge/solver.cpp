@@ -64,6 +64,24 @@ void Solver::add_new(const Clauses& clauses) {
     engine_->cadical.reserve(engine_->variables);
 }
 
+int Solver::append(const Clauses& other) {
+    const int by = engine_->variables;
+    for (std::size_t clause = 0; clause < other.size(); ++clause) {
+        for (const int literal : other[clause]) engine_->cadical.add(literal > 0 ? literal + by : literal - by);
+        engine_->cadical.add(0);
+    }
+    engine_->variables += other.variable_count();
+    engine_->cadical.reserve(engine_->variables);
+    return by;
+}
+
+void Solver::add_more(const Clauses& clauses) {
+    for (std::size_t clause = 0; clause < clauses.size(); ++clause) {
+        for (const int literal : clauses[clause]) engine_->cadical.add(literal);
+        engine_->cadical.add(0);
+    }
+}
+
 void Solver::take_from(Steps* steps) {
     if (engine_->steps != nullptr) {
         engine_->cadical.disconnect_terminator();

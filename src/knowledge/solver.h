@@ -22,6 +22,12 @@ public:
     /// Adds the clauses of `clauses` that it had not when this was last called (or constructed).
     void add_new(const Clauses& clauses);
 
+    /// Adds another formula, its variables renumbered behind all that there are: by so much. Nothing may be added from
+    /// the first formula any more.
+    int append(const Clauses& other);
+    /// Adds clauses over the variables that there are.
+    void add_more(const Clauses& clauses);
+
     /// Makes literals true in this solver from now on, though not in the clauses.
     void require(std::span<const int> literals);
 

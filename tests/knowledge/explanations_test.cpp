@@ -103,10 +103,16 @@ TEST(Explanations, AreThoseOfEverySubsetTried) {
         const auto corrections = minimal(n, [&](unsigned subset) { return !has_conflict(instance, all & ~subset); });
 
         Solver solver(instance.clauses);
-        const std::optional<SelectorSet> one = minimal_conflict(solver, instance.selectors);
+        const std::optional<Conflict> one = minimal_conflict(solver, instance.selectors);
         EXPECT_EQ(one.has_value(), !conflicts.empty());
-        EXPECT_TRUE(!one || conflicts.contains(*one));
+        EXPECT_TRUE(!one || (one->is_minimal && conflicts.contains(one->set)));
         conflicting += one.has_value();
+        if (const std::optional<Conflict> hurried = minimal_conflict(solver, instance.selectors, 0)) {
+            unsigned subset = 0;
+            for (const std::size_t i : hurried->set) subset |= 1U << i;
+            EXPECT_TRUE(has_conflict(instance, subset)) << "what is left when the steps run out is a conflict, too";
+            EXPECT_TRUE(!hurried->is_minimal || conflicts.contains(hurried->set));
+        }
 
         const ConflictsAndCorrections both = all_conflicts(solver, instance.selectors, {10'000});
         EXPECT_TRUE(both.conflicts.is_complete);
@@ -139,7 +145,7 @@ TEST(Explanations, OfClausesThatContradictEachOtherIsTheEmptySet) {
     clauses.add({-a});
     Solver solver(clauses);
     const std::vector<Selector> selectors{{switch_}};
-    EXPECT_EQ(minimal_conflict(solver, selectors), SelectorSet{});
+    EXPECT_EQ(minimal_conflict(solver, selectors)->set, SelectorSet{});
     const ConflictsAndCorrections both = all_conflicts(solver, selectors);
     ASSERT_EQ(both.conflicts.sets.size(), 1U);
     EXPECT_TRUE(both.conflicts.sets[0].set.empty());

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
+#include <set>
 #include <sstream>
 
 #include "base/errors.h"
@@ -324,6 +326,143 @@ TEST(MeshWorld, ExplanationsAndCorrectionsOfCompositeParts) {
         EXPECT_EQ(std::ranges::count(after.diagnoses, "urn:t#Wood"), 0);
     }
     EXPECT_FALSE(corrections(mesh.domain, mesh.known, "urn:t#Wood", {1, 1, 1, 1}).empty());
+}
+
+/// Which answers explain, by brute force: sets that no part of would do, such that whatever the others are, the concept
+/// holds. "There are no other parts" is given: composite parts other than those of the whole mesh are not looked at.
+class BruteReasons {
+public:
+    explicit BruteReasons(const Mesh& mesh) : mesh_(mesh) {
+        const Variable& shape = mesh.domain.regions.variables[0];
+        for (const char* name : {"Board", "Stick", "Cube"})
+            for (std::size_t k = 0; k < shape.values.size(); ++k)
+                if (shape.values[k] == name) values_.push_back(static_cast<int>(k));
+        const auto composites = *composites_for_world(mesh.domain, mesh.known);
+        Knowledge told = mesh.known;
+        std::vector<std::size_t> choice(static_cast<std::size_t>(told.region_count), 0);
+        for (std::size_t at = 0; at < choice.size();) {
+            told.answers.clear();
+            for (std::size_t r = 0; r < choice.size(); ++r)
+                told.answers.push_back({static_cast<int>(r), {0, values_[choice[r]]}, true});
+            auto made = *composites_for_world(mesh.domain, told);
+            std::erase_if(made, [&](const CompositePart& part) {
+                return std::ranges::none_of(composites, [&](const CompositePart& other) {
+                    return part.group == other.group && part.regions == other.regions;
+                });
+            });
+            const MeshWorld world = make_mesh_world(mesh.domain, told, made);
+            ClosedReasoner reasoner(world.world);
+            std::vector<std::vector<Iri>> types{reasoner.types(world.object)};
+            for (const Iri& region : world.regions) types.push_back(reasoner.types(region));
+            worlds_.push_back({choice, std::move(types)});
+            for (at = 0; at < choice.size() && ++choice[at] == values_.size(); ++at) choice[at] = 0;
+        }
+    }
+
+    [[nodiscard]] std::set<std::vector<std::size_t>> sets(const Iri& iri, int region) const {
+        const std::size_t count = mesh_.known.answers.size();
+        std::vector<unsigned> found;
+        for (unsigned size = 0; size <= count; ++size)
+            for (unsigned set = 0; set < 1U << count; ++set)
+                if (static_cast<unsigned>(std::popcount(set)) == size &&
+                    std::ranges::none_of(found, [&](unsigned less) { return (set & less) == less; }) &&
+                    suffices(set, iri, region))
+                    found.push_back(set);
+        std::set<std::vector<std::size_t>> result;
+        for (const unsigned set : found) {
+            std::vector<std::size_t> answers;
+            for (std::size_t i = 0; i < count; ++i)
+                if ((set >> i & 1U) != 0) answers.push_back(i);
+            result.insert(std::move(answers));
+        }
+        return result;
+    }
+
+private:
+    struct World {
+        std::vector<std::size_t> choice;
+        std::vector<std::vector<Iri>> types;  ///< of the object, then of the regions
+    };
+    [[nodiscard]] bool suffices(unsigned set, const Iri& iri, int region) const {
+        return std::ranges::all_of(worlds_, [&](const World& world) {
+            for (std::size_t i = 0; i < mesh_.known.answers.size(); ++i) {
+                const Answer& answer = mesh_.known.answers[i];
+                const bool is_so =
+                    values_[world.choice[static_cast<std::size_t>(answer.region)]] == answer.question.value;
+                if ((set >> i & 1U) != 0 && is_so != answer.yes) return true;  // not one of those
+            }
+            return std::ranges::count(world.types[static_cast<std::size_t>(region + 1)], iri) > 0;
+        });
+    }
+
+    const Mesh& mesh_;
+    std::vector<int> values_;
+    std::vector<World> worlds_;
+};
+
+TEST(MeshWorld, ExplanationsBehindCompositePartsAreMinimalAndAll) {
+    int explained = 0, several = 0;
+    for (unsigned seed = 0; seed < 12; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        std::mt19937 random(seed);
+        Mesh mesh(frames, 4);
+        for (int region = 0; region < 4; ++region) {  // with answers that say less, or nothing new
+            const bool is_board = random() % 3 == 0;
+            if (random() % 3 == 0) mesh.tell(region, "Shape", "Cube", false);
+            mesh.tell(region, "Shape", is_board ? "Board" : "Stick");
+            if (random() % 2 == 0) mesh.tell(region, "Shape", is_board ? "Stick" : "Board", false);
+        }
+        for (int a = 0; a < 4; ++a)
+            for (int b = a + 1; b < 4; ++b)
+                if (random() % 2 == 0) mesh.known.connected.emplace_back(a, b);
+        ASSERT_EQ(mesh.domain.regions.variables[0].iri, owl::core_prefix + std::string("Shape"));
+        const BruteReasons brute(mesh);
+        for (int region = -1; region < 4; ++region) {
+            const Iri iri = region < 0 ? "urn:t#Wood" : "urn:t#C";
+            const std::set<std::vector<std::size_t>> expected = brute.sets(iri, region);
+            if (expected.empty()) {
+                EXPECT_THROW((void)explain(mesh.domain, mesh.known, iri, region), std::invalid_argument);
+                continue;
+            }
+            const Explanations all = all_explanations(mesh.domain, mesh.known, iri, region);
+            ASSERT_TRUE(all.is_complete);
+            std::set<std::vector<std::size_t>> found;
+            for (const Explanation& each : all.sets) found.insert(each.answers);
+            std::erase_if(found, [&](const auto& set) {  // another one does with fewer answers, and more axioms
+                return std::ranges::any_of(all.sets, [&](const Explanation& less) {
+                    return less.answers.size() < set.size() && std::ranges::includes(set, less.answers);
+                });
+            });
+            EXPECT_EQ(found, expected) << iri << " " << region;
+            const Explanation one = explain(mesh.domain, mesh.known, iri, region);
+            EXPECT_TRUE(expected.contains(one.answers)) << iri << " " << region;
+            ++explained;
+            several += expected.size() > 1;
+        }
+    }
+    EXPECT_GT(explained, 10);
+    EXPECT_GT(several, 3);
+}
+
+TEST(MeshWorld, WhatBelongsToACompositePartMustBeKnowable) {
+    const std::string wooden = "ObjectIntersectionOf(:Leg ObjectSomeValuesFrom(:p :Wood))";
+    const std::string refused = refusal(
+        "EquivalentClasses(:A ObjectIntersectionOf(core:CompositePart "
+        "ObjectMinCardinality(2 core:hasPart " +
+        wooden + ")))");
+    EXPECT_NE(refused.find("t:"), std::string::npos);
+    EXPECT_NE(refused.find("what belongs to an A hangs on \"p some Wood\""), std::string::npos) << refused;
+    // A concept below one that names what belongs by features may ask for it.
+    const Mesh mesh(
+        "EquivalentClasses(:A ObjectIntersectionOf(core:CompositePart ObjectMinCardinality(2 core:hasPart :Leg))) "
+        "EquivalentClasses(:B ObjectIntersectionOf(:A ObjectSomeValuesFrom(core:hasPart " +
+        wooden + ")))");
+    EXPECT_EQ(mesh.domain.composites.size(), 1U);
+    const std::string outer =
+        "EquivalentClasses(:A ObjectIntersectionOf(core:CompositePart ObjectMinCardinality(1 core:hasPart :Leg))) "
+        "EquivalentClasses(:C ObjectIntersectionOf(core:CompositePart ObjectSomeValuesFrom(core:hasPart "
+        "ObjectIntersectionOf(:A ObjectHasSelf(:q)))))";
+    EXPECT_NE(refusal(outer).find("what belongs to a C hangs on"), std::string::npos) << refusal(outer);
 }
 
 TEST(MeshWorld, RulesSayWhatADiagnosisIsAbout) {
