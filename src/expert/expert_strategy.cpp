@@ -182,12 +182,16 @@ void name_by_relations(Session& session, SplitCriterion criterion) {
     }
 }
 
-void run_expert(Session& session, SplitCriterion criterion) {
-    cut(session, criterion);
+void ask_on(Session& session, SplitCriterion criterion) {
     name(session, criterion);
     name_by_relations(session, criterion);
     session.find_connections();
     recognise(session, criterion);
+}
+
+void run_expert(Session& session, SplitCriterion criterion) {
+    cut(session, criterion);
+    ask_on(session, criterion);
 }
 
 }  // namespace partonomy

@@ -209,16 +209,23 @@ void Session::adopt_rest() {
 }
 
 void Session::find_connections() {
-    if (connected_ || domain_.composites.empty()) return;
+    if (domain_.composites.empty()) return;
     const Stopwatch watch;
-    connected_.emplace();
-    ++find_related_count;
-    std::vector<int> regions;  // that may belong to a composite part
-    for (int region = 0; region < region_count(); ++region)
-        if (std::ranges::any_of(domain_.composites, [&](const knowledge::CompositeSpace& composite) {
+    std::vector<int> regions;  // that may belong to a composite part, and those that were looked at before
+    std::vector<char> is_new;
+    for (int region = 0; region < region_count(); ++region) {
+        const bool was = std::ranges::binary_search(connectable_, region);
+        if (!was && std::ranges::none_of(domain_.composites, [&](const knowledge::CompositeSpace& composite) {
                 return possible(region).is_empty() || possible(region).intersects(composite.regions);
             }))
-            regions.push_back(region);
+            continue;
+        regions.push_back(region);
+        is_new.push_back(!was);
+    }
+    if (connected_ && regions == connectable_) return;
+    if (!connected_) connected_.emplace();
+    connectable_ = regions;
+    ++find_related_count;
     std::span<const knowledge::Criterion> criteria(&touching(), 1);
     for (const knowledge::Relation& relation : domain_.relations)
         if (relation.iri == connected_iri && !relation.criteria.empty()) criteria = relation.criteria;
@@ -226,13 +233,16 @@ void Session::find_connections() {
     std::vector<const RegionPlace*> places;
     for (const int region : regions) places.push_back(&place(region));
     const RelatedIndex among(scene(), places);
-    for (int i = 0; i < static_cast<int>(regions.size()); ++i)
+    for (int i = 0; i < static_cast<int>(regions.size()); ++i) {
+        if (!is_new[index(i)]) continue;
         for (const auto& [j, found] : among.find(criteria, {i, -1})) {
             const double score = found.value_or(0);
-            if (j < i) continue;
+            if (j < i && is_new[index(j)]) continue;
             lowest = std::min(lowest, std::max(score, 1 - score));
-            if (score >= 0.5) connected_->emplace_back(regions[index(i)], regions[index(j)]);
+            if (score >= 0.5) connected_->push_back(std::minmax(regions[index(i)], regions[index(j)]));
         }
+    }
+    std::ranges::sort(*connected_);
     trace.push_back({"TF",
                      "find all parts that touch each other",
                      "mesh",
@@ -433,12 +443,22 @@ ConfigurationSet Session::narrowed(ConfigurationSet set, const knowledge::Answer
     return set;
 }
 
+void Session::leave_out(std::size_t answer, const char* why) {
+    const Answer& doubtful = answers_[answer];
+    left_out_.push_back(fmt::format("left out: {}: {} ({:.2f}) {}", in_words(doubtful.region, doubtful.question),
+                                    doubtful.yes ? "yes" : "no", answer_scores_[answer], why));
+    answers_.erase(answers_.begin() + static_cast<std::ptrdiff_t>(answer));
+    answer_scores_.erase(answer_scores_.begin() + static_cast<std::ptrdiff_t>(answer));
+}
+
+ConfigurationSet Session::possible_by_answers(int region) const {
+    ConfigurationSet set = domain_.regions.all();
+    for (const Answer& answer : answers_)
+        if (answer.region == region) set = narrowed(std::move(set), answer);
+    return set;
+}
+
 bool Session::make_room(const knowledge::Answer& answer, double score) {
-    const auto leave_out = [&](const knowledge::Answer& doubtful, double its_score) {
-        left_out_.push_back(fmt::format("left out: {}: {} ({:.2f}) contradicts what is surer",
-                                        in_words(doubtful.region, doubtful.question), doubtful.yes ? "yes" : "no",
-                                        its_score));
-    };
     std::vector<std::size_t> doubtful;  // the least certain first
     for (std::size_t i = 0; i < answers_.size(); ++i)
         if (answers_[i].region == answer.region && answer_scores_[i] < std::min(sure, score)) doubtful.push_back(i);
@@ -448,15 +468,69 @@ bool Session::make_room(const knowledge::Answer& answer, double score) {
         for (std::size_t i = 0; i < answers_.size(); ++i)
             if (i != out && answers_[i].region == answer.region) without = narrowed(std::move(without), answers_[i]);
         if (narrowed(without, answer).is_empty()) continue;
-        leave_out(answers_[out], answer_scores_[out]);
-        possible_[index(answer.region)] = std::move(without);
-        answers_.erase(answers_.begin() + static_cast<std::ptrdiff_t>(out));
-        answer_scores_.erase(answer_scores_.begin() + static_cast<std::ptrdiff_t>(out));
+        leave_out(out, "contradicts what is surer");
+        ConfigurationSet before = std::exchange(possible_[index(answer.region)], std::move(without));
+        withdraw_relations(answer.region, std::move(before));
         return true;
     }
     if (score >= sure) return true;  // a contradiction that somebody should see
-    leave_out(answer, score);
+    left_out_.push_back(fmt::format("left out: {}: {} ({:.2f}) contradicts what is surer",
+                                    in_words(answer.region, answer.question), answer.yes ? "yes" : "no", score));
     return false;
+}
+
+void Session::correct(int region, Question question, bool yes) {
+    withdrawn_.clear();
+    const Answer told{region, question, yes};
+    std::vector<std::size_t> own;  // the surest first
+    for (std::size_t i = 0; i < answers_.size(); ++i)
+        if (answers_[i].region == region) own.push_back(i);
+    std::ranges::stable_sort(own, std::greater<>{}, [&](std::size_t i) { return answer_scores_[i]; });
+    std::vector<std::size_t> out;
+    ConfigurationSet kept = narrowed(domain_.regions.all(), told);
+    for (const std::size_t i : own) {
+        ConfigurationSet next = narrowed(kept, answers_[i]);
+        if (next.is_empty() && !kept.is_empty())
+            out.push_back(i);
+        else
+            kept = std::move(next);
+    }
+    std::ranges::sort(out, std::greater<>{});
+    for (const std::size_t i : out) leave_out(i, "contradicts what a person says");
+    ConfigurationSet before = std::exchange(possible_[index(region)], possible_by_answers(region));
+    const ConfigurationSet known = before;
+    learn(region, question, yes, 1);
+    withdraw_relations(region, std::move(before));
+    trace.push_back({"person", in_words(region, question), region_name(region), yes ? "yes" : "no", 1});
+    trace.back().inferred = consequences(region, known, question);
+}
+
+bool Session::is_relation(const Answer& answer) const {
+    return domain_.regions.variables[index(answer.question.variable)].kind == knowledge::VariableKind::relation;
+}
+
+void Session::withdraw_relations(int region, ConfigurationSet before) {
+    std::vector<std::pair<int, ConfigurationSet>> changed;
+    changed.emplace_back(region, std::move(before));
+    while (!changed.empty()) {
+        const auto [other, was] = std::move(changed.back());
+        changed.pop_back();
+        const ConfigurationSet now = possible(other);
+        const auto tells_otherwise = [&](const ConfigurationSet& where) {
+            return was.is_subset_of(where) != now.is_subset_of(where) || was.intersects(where) != now.intersects(where);
+        };
+        for (std::size_t i = answers_.size(); i-- > 0;) {
+            if (!is_relation(answers_[i])) continue;
+            const Answer answer = answers_[i];
+            const auto feature = index(domain_.regions.variables[index(answer.question.variable)].index);
+            if (std::ranges::none_of(domain_.relational[feature].classes, tells_otherwise) ||
+                !withdrawn_.emplace(answer.region, answer.question).second)
+                continue;
+            leave_out(i, "hung on what is no longer so");
+            ConfigurationSet next = possible_by_answers(answer.region);
+            changed.emplace_back(answer.region, std::exchange(possible_[index(answer.region)], std::move(next)));
+        }
+    }
 }
 
 std::vector<std::string> Session::consequences(int region, const ConfigurationSet& before, Question asked) {

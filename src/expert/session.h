@@ -2,6 +2,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -36,10 +37,17 @@ public:
     /// Learns an answer that needs no algorithm (deduced), or one whose score is already known.
     void learn(int region, knowledge::Question question, bool yes, double score);
 
+    /// Learns what a person says, which is surer than anything else: of the answers about the region those that
+    /// contradict it are left out, the least certain first. So is every answer about a relation, of any region, that
+    /// hung on what a region could be and now may be otherwise. Nothing else is given up; ask_on() asks what is open
+    /// then.
+    void correct(int region, knowledge::Question question, bool yes);
+
     /// Takes every candidate that no question has cut as a region, with what is known of the rest.
     void adopt_rest();
 
-    /// TF: finds which regions touch, where the ontology has composite parts. Only the first call does anything.
+    /// TF: finds which regions touch, where the ontology has composite parts. A later call looks at regions that may
+    /// belong to one only since.
     void find_connections();
 
     /// Whether the values of a variable are read off a region as soon as it is cut, so that no question is asked:
@@ -110,6 +118,12 @@ private:
     /// Answers are likelihoods: of those of one region that contradict a new one the least certain is left out when it
     /// is borderline. False: that is the new one.
     bool make_room(const knowledge::Answer& answer, double score);
+    /// What the answers that are there leave of a region.
+    [[nodiscard]] knowledge::ConfigurationSet possible_by_answers(int region) const;
+    [[nodiscard]] bool is_relation(const knowledge::Answer& answer) const;
+    void leave_out(std::size_t answer, const char* why);
+    /// Gives up answers about relations that hung on what `region` could be (`before`); and what hung on those.
+    void withdraw_relations(int region, knowledge::ConfigurationSet before);
     /// What is known of a region now and was not in `before`, in words; not the answer to `asked` itself.
     [[nodiscard]] std::vector<std::string> consequences(int region, const knowledge::ConfigurationSet& before,
                                                         knowledge::Question asked);
@@ -132,7 +146,9 @@ private:
     std::vector<knowledge::Answer> answers_;
     std::vector<double> answer_scores_;
     std::vector<std::string> left_out_;  ///< for the trace: doubtful answers that contradicted others
+    std::set<std::pair<int, knowledge::Question>> withdrawn_;  ///< answers about relations, since the last correction
     std::optional<std::vector<std::pair<int, int>>> connected_;
+    std::vector<int> connectable_;  ///< regions of which is known which of them touch; ascending
     std::optional<Scene> scene_;
     std::map<int, RegionPlace> places_;  ///< of regions that relations were asked of; they point to parts_
     std::optional<RelatedIndex> index_;  ///< of all regions that were there when it was made
@@ -151,7 +167,10 @@ enum class Strategy {
 /// answer that hangs on the name of another region waits for it.
 void name_by_relations(Session& session, knowledge::SplitCriterion criterion);
 
-/// Asks until everything wanted is known or nothing more can be answered.
+/// Asks about the regions that there are until everything wanted is known or nothing more can be answered.
+void ask_on(Session& session, knowledge::SplitCriterion criterion);
+
+/// Cuts regions, then asks on.
 void run_expert(Session& session, knowledge::SplitCriterion criterion);
 void run_naive(Session& session);
 void run_segment_then_identify(Session& session);
