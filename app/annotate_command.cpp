@@ -181,6 +181,7 @@ Annotation annotate_file(const Arguments& arguments, const Knowhow& knowhow, Inp
     Stopwatch watch;
     if (knowhow.domain.is_about_scenes && !input.object.is_scene) {
         input.object.is_scene = true;
+        place(input.object, input.object.placement);
         cut(input.object, arguments.threads);
     }
     std::optional<Placing> placing;
@@ -221,8 +222,8 @@ Annotation annotate_file(const Arguments& arguments, const Knowhow& knowhow, Inp
     return annotation;
 }
 
-/// "Chair", "FloorLamp, incompatible: LampThatTips", "not recognised, perhaps OneSidedDumbbell": the picture's title in
-/// one line.
+/// "Chair", "FloorLamp, incompatible: LampThatTips", "not recognised, perhaps OneSidedDumbbell", "not recognised,
+/// nearest: Chair, lacks 1 Seat": the picture's title in one line.
 std::string verdict(const Annotation& annotation) {
     std::vector<std::string> classes, incompatible;
     for (const Diagnosis& diagnosis : annotation.diagnosis) incompatible.push_back(diagnosis.concept_name);
@@ -231,6 +232,7 @@ std::string verdict(const Annotation& annotation) {
     std::string text = classes.empty() ? "not recognised" : join(classes);
     if (!incompatible.empty()) text += ", incompatible: " + counted(incompatible);
     if (!annotation.perhaps.empty()) text += ", perhaps " + join(annotation.perhaps);
+    if (!annotation.nearest.empty()) text += ", nearest: " + in_words(annotation.nearest.front());
     return text;
 }
 

@@ -56,15 +56,16 @@ ordered_json space_as_json(const Space& space) {
             {"possible", number(space.possible.count_text())}};
 }
 
-void print_space(const std::string& title, const Space& space) {
+void print_space(const std::string& title, const Space& space,
+                 const char* what_is_counted = "combinations of answers satisfy the axioms") {
     fmt::print("{}\n  concepts: {}\n  questions about:", title, fmt::join(concepts_of(space), ", "));
     for (const knowledge::Variable& variable : space.variables)
         if (variable.part_class)
             fmt::print(" [{}]", words_of(variable));
         else
             fmt::print(" {} ({})", words_of(variable), fmt::join(variable.values, ", "));
-    fmt::print("\n  configurations: {} of {} satisfy the axioms, {} of these without anything Incompatible\n",
-               space.all().count_text(), space.product_text(), space.possible.count_text());
+    fmt::print("\n  configurations: {} of {} {}, {} of these without anything Incompatible\n", space.all().count_text(),
+               space.product_text(), what_is_counted, space.possible.count_text());
 }
 
 std::string place_of(const owl::Source& source) {
@@ -115,7 +116,8 @@ Checked look_at(const OntologyArguments& arguments) {
     try {
         checked.domain = knowledge::compile(checked.ontology, arguments.compile_options());
     } catch (const OntologyError& error) {
-        checked.findings.push_back(knowledge::why_refused(checked.ontology, error.what()));
+        for (Finding& finding : knowledge::why_refused(checked.ontology, error.what()))
+            checked.findings.push_back(std::move(finding));
         return checked;
     }
     Catalogue catalogue;
@@ -126,7 +128,8 @@ Checked look_at(const OntologyArguments& arguments) {
             return catalogue.find(Signature::is_a, question) != nullptr;
         };
     } catch (const OntologyError& error) {  // what can be answered is only known when this is mended
-        checked.findings.push_back(knowledge::why_refused(checked.ontology, error.what()));
+        for (Finding& finding : knowledge::why_refused(checked.ontology, error.what()))
+            checked.findings.push_back(std::move(finding));
     }
     for (Finding& finding : lint(*checked.domain, options)) checked.findings.push_back(std::move(finding));
     return checked;
@@ -181,7 +184,8 @@ int run_check(const Arguments& arguments) {
     if (checked.domain) {
         print_space("S1, parts", checked.domain->regions);
         for (const knowledge::CompositeSpace& composite : checked.domain->composites)
-            print_space(fmt::format("S{}, composite parts", composite.layer), composite.space);
+            print_space(fmt::format("S{}, composite parts", composite.layer), composite.space,
+                        "combinations of answers make a composite part (there is none without the parts it asks for)");
         print_space(fmt::format("S{}, objects", checked.domain->object_layer()), checked.domain->objects());
     }
     print_findings(checked);

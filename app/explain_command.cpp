@@ -9,6 +9,7 @@
 #include "app/kept_annotation.h"
 #include "base/errors.h"
 #include "base/spelling.h"
+#include "report/part_names.h"
 
 namespace partonomy::app {
 namespace {
@@ -151,6 +152,10 @@ int run_explain(const Arguments& arguments) {
                        : object.value("perhaps", std::vector<std::string>{}).empty() ? "consistent"
                                                                                      : "consistent as far as is known",
                        object.at("score").get<double>());
+        if (arguments.part == 0 && object.contains("nearest"))
+            for (const json& near : object.at("nearest"))
+                fmt::print("  near: {}\n", in_words({near.at("class"), near.at("lacks").get<std::vector<std::string>>(),
+                                                     near.at("too_many").get<std::vector<std::string>>()}));
         bool is_found = false;
         for (const json& part : annotation.at("parts"))
             if (arguments.part == 0 || part.at("id") == arguments.part) {

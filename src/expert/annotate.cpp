@@ -20,6 +20,7 @@
 
 #include "base/errors.h"
 #include "expert/open_questions.h"
+#include "knowledge/near_miss.h"
 
 namespace partonomy {
 namespace {
@@ -215,6 +216,26 @@ std::vector<AnnotatedComposite> composite_parts(const Session& session, const Co
     return composites;
 }
 
+/// What an object comes nearest to, unless it is something that is no diagnosis.
+std::vector<NearClass> nearest_classes(const Domain& domain, const Conclusions& assumed,
+                                       const std::vector<Iri>& classes) {
+    constexpr std::size_t most = 3;
+    std::vector<NearClass> nearest;
+    const knowledge::Space& objects = *assumed.objects;
+    if (assumed.contradiction || std::ranges::any_of(classes, [&](const Iri& iri) {
+            return !objects.concepts[static_cast<std::size_t>(*objects.find(iri))].incompatible;
+        }))
+        return nearest;
+    std::vector<Iri> helpers;
+    for (const knowledge::Concept& concept_ : objects.concepts)
+        if (is_helper(domain, concept_.iri)) helpers.push_back(concept_.iri);
+    for (knowledge::NearMiss& miss : near_misses(domain, assumed, helpers)) {
+        if (nearest.size() == most) break;
+        nearest.push_back({owl::local_name(miss.iri), std::move(miss.lacks), std::move(miss.too_many)});
+    }
+    return nearest;
+}
+
 void run(Session& session, const AnnotateOptions& options) {
     switch (options.strategy) {
         case Strategy::expert:
@@ -370,6 +391,7 @@ Annotation annotate(const Domain& domain, const Catalogue& catalogue, const Obje
     }
     annotation.all_classes = local_names(classes);
     annotation.classes = local_names(domain.most_specific(classes));
+    annotation.nearest = nearest_classes(domain, assumed, classes);
     annotation.answers = learned_answers(session, knowledge);
     annotation.is_complete = knowledge.complete;
     for (const auto& [a, b] : knowledge.connected) annotation.connected.emplace_back(a + 1, b + 1);

@@ -57,6 +57,13 @@ struct Diagnosis {
     std::vector<Change> changes = {};
 };
 
+/// A class that an object which is not recognised comes near to.
+struct NearClass {
+    std::string concept_name;           ///< local name
+    std::vector<std::string> lacks;     ///< "1 Seat", "2 Leg (part 3 may be one)"
+    std::vector<std::string> too_many;  ///< "1 Backrest"
+};
+
 /// One answer that was learned, by names that outlive the program.
 struct LearnedAnswer {
     int part = 0;         ///< id
@@ -78,6 +85,7 @@ struct Annotation {
     std::vector<std::string> classes;      ///< most specific object classes, incompatible ones included
     std::vector<std::string> all_classes;  ///< every class that holds
     std::vector<std::string> perhaps;      ///< incompatible concepts that hold if the assumed names of parts are right
+    std::vector<NearClass> nearest;        ///< where no class holds that is no diagnosis: the likest first, at most three
     bool consistent = true;
     double score = 0;
     std::vector<AnnotatedPart> parts;

@@ -1,6 +1,7 @@
 #include "knowledge/ground.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "base/errors.h"
@@ -159,11 +160,62 @@ FormulaId Grounder::ground_name(const Iri& iri, Level level, const Axiom& axiom)
     }
     if (found->second != level)
         refuse(axiom, name + " is " + kind_of(found->second) + " where " + kind_of(level) + " is meant",
-               found->second < level    ? "write hasPart some " + name
-               : level == Level::region ? "describe a region by its features"
-                                        : "describe a composite part by its parts");
+               found->second < level            ? "write hasPart some " + name
+               : found->second == Level::object ? "describe " + std::string(kind_of(level)) + " by " +
+                                                      (level == Level::region ? "its features" : "its parts")
+                                                : "write " + pieces_of(iri) + ", of which it consists");
     if (is_core_term(iri, "Region") || is_core_term(iri, "Object") || is_core_term(iri, "CompositePart")) return 0;
     return named(theory_.find(iri));
+}
+
+/// Of a class with values the functional property that axioms write before one of them, or that is named after it,
+/// where nothing is told of its range; null when there is none.
+const Axiom* Grounder::leads_without_range(const Iri& feature) const {
+    std::set<Iri> values{feature}, ranged, used;
+    for (const Axiom& axiom : ontology_.axioms) {
+        const bool is_union = axiom.kind == AxiomKind::disjoint_union && axiom.classes[0]->iri == feature;
+        if (is_union || (axiom.kind == AxiomKind::sub_class_of && axiom.classes[1]->iri == feature))
+            for (const owl::ClassPointer& value : axiom.classes) values.insert(value->iri);
+        if (axiom.kind == AxiomKind::object_property_range) ranged.insert(axiom.properties[0].iri);
+    }
+    if (values.size() == 1) return nullptr;
+    const auto collect = [&](const auto& self, const ClassExpression& expression) -> void {
+        for (const owl::ClassPointer& operand : expression.operands) {
+            if (operand->kind == ClassKind::named && values.contains(operand->iri))
+                used.insert(expression.property.iri);
+            self(self, *operand);
+        }
+    };
+    for (const Axiom& axiom : ontology_.axioms)
+        for (const owl::ClassPointer& each : axiom.classes) collect(collect, *each);
+    for (const Axiom& axiom : ontology_.axioms) {
+        if (axiom.kind != AxiomKind::functional_object_property || ranged.contains(axiom.properties[0].iri)) continue;
+        const Iri& property = axiom.properties[0].iri;
+        if (used.contains(property) || owl::local_name(property) == "has" + owl::local_name(feature)) return &axiom;
+    }
+    return nullptr;
+}
+
+/// "Pole", "(Pole or Arm)": what the definition of a composite part names behind hasPart.
+std::string Grounder::pieces_of(const Iri& composite) const {
+    std::vector<std::string> names;
+    const auto collect = [&](const auto& self, const ClassExpression& expression, bool is_behind) -> void {
+        const auto level = levels_.find(expression.iri);
+        const bool is_region = level != levels_.end() && level->second == Level::region;
+        const std::string name = owl::local_name(expression.iri);
+        if (is_behind && expression.kind == ClassKind::named && is_region && std::ranges::count(names, name) == 0)
+            names.push_back(name);
+        for (const owl::ClassPointer& operand : expression.operands)
+            self(self, *operand, is_behind || expression.property.iri == core_term("hasPart"));
+    };
+    for (const Axiom& axiom : ontology_.axioms)
+        if (axiom.kind == AxiomKind::equivalent_classes &&
+            std::ranges::any_of(axiom.classes, [&](const auto& c) { return c->iri == composite; }))
+            for (const owl::ClassPointer& meaning : axiom.classes) collect(collect, *meaning, false);
+    if (names.empty()) return "the names of regions";
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "" : " or ") + name;
+    return names.size() > 1 ? "(" + text + ")" : text;
 }
 
 ConfigurationSet Grounder::values(const ClassExpression& expression, std::size_t range, const Axiom& axiom,
@@ -220,6 +272,11 @@ ConfigurationSet Grounder::values(const ClassExpression& expression, std::size_t
             told.classes[0]->kind == ClassKind::named && told.classes[0]->iri == iri)
             refuse(told, "no functional property has the range " + owl::local_name(iri),
                    "tick Functional on " + owl::local_name(told.properties[0].iri));
+    if (const Axiom* functional = leads_without_range(iri))
+        refuse(*functional,
+               "no range says that " + owl::local_name(functional->properties[0].iri) + " leads to " +
+                   owl::local_name(iri),
+               "give it the range " + owl::local_name(iri));
     refuse(axiom, owl::local_name(iri) + " is no value of " + owl::local_name(concept_range.iri),
            "list it in the disjoint union of " + owl::local_name(concept_range.iri) +
                ", or define it as a combination of its values");
@@ -348,6 +405,13 @@ FormulaId Grounder::ground(const owl::ClassPointer& pointer, Level level, const 
             return is_made_of_names(expression.operands) ? ground_feature(expression, r, axiom)
                                                          : open(expression, level, axiom);
     return ground_number(expression, axiom);
+}
+
+void Grounder::start_over() {
+    open_.clear();
+    mentions_.clear();
+    is_within_ = false;
+    outside_parts_ = true;
 }
 
 std::vector<std::pair<FormulaId, Level>> Grounder::take_mentions() { return std::exchange(mentions_, {}); }

@@ -44,6 +44,9 @@ public:
     /// Parts of those parts do not count.
     std::vector<std::pair<FormulaId, Level>> take_mentions();
 
+    /// After an axiom that was refused half way.
+    void start_over();
+
     FormulaId negate(FormulaId a);
     FormulaId conjoin(std::vector<FormulaId> operands);
     FormulaId disjoin(std::vector<FormulaId> operands);
@@ -61,6 +64,8 @@ private:
     NodeTest ground_node(const owl::ClassPointer& expression, std::vector<FormulaId>& classes, const owl::Axiom& axiom);
     NodeTest ground_linked(const owl::ClassExpression& expression, std::vector<FormulaId>& classes,
                            const owl::Axiom& axiom);
+    [[nodiscard]] std::string pieces_of(const Iri& composite) const;
+    [[nodiscard]] const owl::Axiom* leads_without_range(const Iri& feature) const;
     [[nodiscard]] const RangeConcept* range_of_value(const Iri& value) const;
     [[nodiscard]] bool is_functional(const Iri& property) const;
     [[nodiscard]] bool is_question(const owl::ClassExpression& expression, Level level) const;

@@ -470,32 +470,35 @@ std::string to_text(FindingKind kind) {
 
 std::vector<Finding> lint(const Domain& domain, const LintOptions& options) { return Linter(domain, options).run(); }
 
-Finding why_refused(const owl::Ontology& ontology, const std::string& error) {
-    Finding finding{FindingKind::refused, true, {}, {}, error, {}, {}};
-    try {
+std::vector<Finding> why_refused(const owl::Ontology& ontology, const std::string& error) {
+    std::vector<std::string> errors = all_refusals(ontology);
+    if (errors.empty()) {
         const Theory theory = read_theory(ontology);
         for (const Level level : {Level::region, Level::object}) {
-            finding.causes = causes_of_nothing(theory, level);
+            Finding finding{FindingKind::contradiction,      true, {}, {}, {}, "weaken one of these axioms",
+                            causes_of_nothing(theory, level)};
             if (finding.causes.empty()) continue;
-            finding.kind = FindingKind::contradiction;
             finding.what =
                 "the axioms leave no " + std::string(level == Level::region ? "region" : "object") + " possible";
-            finding.advice = "weaken one of these axioms";
             finding.where = ontology.axioms[finding.causes[0].back()].source;
-            return finding;
+            return {finding};
         }
-    } catch (const OntologyError&) {
-        finding.causes.clear();  // the theory itself is what was refused
     }
-    // The error names its place: "file:line: sentence".
-    const std::size_t end = error.find(": ");
-    const std::size_t colon = end == std::string::npos ? end : error.rfind(':', end - 1);
-    const std::string line = colon == std::string::npos ? "" : error.substr(colon + 1, end - colon - 1);
-    if (!line.empty() && std::ranges::all_of(line, [](char c) { return c >= '0' && c <= '9'; }) && line.size() < 10) {
-        finding.where = {error.substr(0, colon), std::stol(line)};
-        finding.what = error.substr(end + 2);
+    if (std::ranges::find(errors, error) == errors.end()) errors.insert(errors.begin(), error);
+    std::vector<Finding> findings;
+    for (const std::string& text : errors) {
+        Finding& finding = findings.emplace_back(Finding{FindingKind::refused, true, {}, {}, text, {}, {}});
+        // The error names its place: "file:line: sentence".
+        const std::size_t end = text.find(": ");
+        const std::size_t colon = end == std::string::npos ? end : text.rfind(':', end - 1);
+        const std::string line = colon == std::string::npos ? "" : text.substr(colon + 1, end - colon - 1);
+        if (!line.empty() && std::ranges::all_of(line, [](char c) { return c >= '0' && c <= '9'; }) &&
+            line.size() < 10) {
+            finding.where = {text.substr(0, colon), std::stol(line)};
+            finding.what = text.substr(end + 2);
+        }
     }
-    return finding;
+    return findings;
 }
 
 }  // namespace partonomy::knowledge

@@ -54,8 +54,12 @@ struct LintOptions {
 /// nearest term that it does.
 [[nodiscard]] std::vector<Finding> unknown_terms(const owl::Ontology& ontology);
 
+/// What cannot be grounded, all of it, as compile() would say it, in the order of the axioms and each sentence once.
+/// Circles of definitions, and knobs that are no numbers, one at a time. Empty where the axioms can be read.
+[[nodiscard]] std::vector<std::string> all_refusals(const owl::Ontology& ontology);
+
 /// Why `ontology` cannot be compiled, given the error that compile() threw for it: a contradiction with its causes, or
-/// the error itself.
-[[nodiscard]] Finding why_refused(const owl::Ontology& ontology, const std::string& error);
+/// the error itself and what else is refused. At least one.
+[[nodiscard]] std::vector<Finding> why_refused(const owl::Ontology& ontology, const std::string& error);
 
 }  // namespace partonomy::knowledge

@@ -60,9 +60,27 @@ std::vector<Finding> unknown_terms(const owl::Ontology& ontology) {
     };
     for (const owl::Axiom& axiom : ontology.axioms)
         owl::for_each_name(axiom, [&](const Iri& iri) { look_at(iri, axiom.source); });
+    std::set<Iri> namesakes;  // annotations named like a knob of core, and not in its namespace
     for (const auto& [entity, annotations] : ontology.annotations)
-        for (const owl::Annotation& annotation : annotations) look_at(annotation.property, annotation.source);
+        for (const owl::Annotation& annotation : annotations) {
+            const std::size_t before = findings.size();
+            look_at(annotation.property, annotation.source);
+            const std::string name = owl::local_name(annotation.property);
+            if (findings.size() != before || annotation.property.starts_with(prefix) ||
+                core.find(prefix + name, owl::EntityKind::annotation_property) == nullptr ||
+                !namesakes.insert(annotation.property).second)
+                continue;
+            findings.push_back({FindingKind::unknown_term,
+                                false,
+                                {annotation.property},
+                                annotation.source,
+                                "\"" + name + "\" of " + owl::local_name(entity) + " is <" + annotation.property +
+                                    ">, which nothing here reads",
+                                "write core:" + name + " if that is meant",
+                                {}});
+        }
     for (const owl::Entity& entity : ontology.entities) {
+        if (namesakes.contains(entity.iri)) continue;
         const std::size_t before = findings.size();
         look_at(entity.iri, entity.source);
         const std::string name = owl::local_name(entity.iri);

@@ -5,6 +5,7 @@
 #include "base/errors.h"
 #include "base/spelling.h"
 #include "knowledge/groups.h"
+#include "knowledge/lint.h"
 #include "knowledge/plain.h"
 
 // From axioms to definitions and constraints. A named class is defined by its first EquivalentTo with an expression,
@@ -39,6 +40,11 @@ public:
         for (std::size_t i = 0; i < ontology_.axioms.size(); ++i) read(i);
         for (const std::size_t i : synonyms_) read_synonyms(i);
         for (const std::size_t i : unions_) read_union(i);
+        return run_on();
+    }
+
+    /// What comes when all axioms are read.
+    Theory run_on() {
         refuse_circles();
         spread_incompatible();
         find_groups(theory_, grounder_, mentions_, told_, ontology_);
@@ -47,6 +53,24 @@ public:
                 theory_.warnings.push_back(owl::local_name(entity.iri) +
                                            " is neither below core:Region nor below core:Object, so it is left aside.");
         return std::move(theory_);
+    }
+
+    /// What run() would refuse, axiom by axiom; a refused definition leaves its name without one.
+    std::vector<std::string> refusals() {
+        std::vector<std::string> found;
+        const auto attempt = [&](const auto& step) {
+            try {
+                step();
+            } catch (const OntologyError& error) {
+                if (std::ranges::find(found, error.what()) == found.end()) found.emplace_back(error.what());
+                grounder_.start_over();
+            }
+        };
+        for (std::size_t i = 0; i < ontology_.axioms.size(); ++i) attempt([&] { read(i); });
+        for (const std::size_t i : synonyms_) attempt([&] { read_synonyms(i); });
+        for (const std::size_t i : unions_) attempt([&] { read_union(i); });
+        if (found.empty()) attempt([&] { static_cast<void>(run_on()); });
+        return found;
     }
 
 private:
@@ -535,5 +559,13 @@ bool Theory::needs_world() const {
 }
 
 Theory read_theory(const owl::Ontology& ontology) { return TheoryReader(plain_ontology(ontology)).run(); }
+
+std::vector<std::string> all_refusals(const owl::Ontology& ontology) {
+    try {
+        return TheoryReader(plain_ontology(ontology)).refusals();
+    } catch (const OntologyError& error) {  // before any axiom was read
+        return {error.what()};
+    }
+}
 
 }  // namespace partonomy::knowledge

@@ -50,6 +50,13 @@ std::string counted(const std::vector<std::string>& names) {
     return join(words);
 }
 
+std::string in_words(const NearClass& near) {
+    std::string text = near.concept_name;
+    if (!near.lacks.empty()) text += ", lacks " + join(near.lacks);
+    if (!near.too_many.empty()) text += ", " + join(near.too_many) + " too many";
+    return text;
+}
+
 void check_belongs(const TriangleMesh& mesh, const Annotation& annotation) {
     if (annotation.part_of_triangle.size() != mesh.triangles.size())
         throw UsageError("the annotation speaks of " + std::to_string(annotation.part_of_triangle.size()) +

@@ -21,6 +21,9 @@ namespace partonomy {
 /// Names with how often each occurs, in the order of the alphabet: "Leg x4, Seat".
 [[nodiscard]] std::string counted(const std::vector<std::string>& names);
 
+/// "Chair, lacks 1 Seat, 2 Leg", "Table, 1 Tabletop too many".
+[[nodiscard]] std::string in_words(const NearClass& near);
+
 /// Throws UsageError when the annotation is not one of this mesh: another number of triangles, a part index out of
 /// range.
 void check_belongs(const TriangleMesh& mesh, const Annotation& annotation);

@@ -118,7 +118,14 @@ std::string to_json(const Annotation& annotation) {
         .member("score", annotation.score)
         .member("all_classes", annotation.all_classes)
         .member("perhaps", annotation.perhaps)
-        .end();
+        .array("nearest");
+    for (const NearClass& near : annotation.nearest)
+        json.object()
+            .member("class", near.concept_name)
+            .member("lacks", near.lacks)
+            .member("too_many", near.too_many)
+            .end();
+    json.end().end();
     write_parts(json, annotation);
     write_questions(json, annotation);
     write_knowledge(json, annotation);

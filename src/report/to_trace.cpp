@@ -160,6 +160,7 @@ std::string to_trace(const Annotation& annotation) {
     text += "\nQuestions" + counts(a) + "\n" + questions(a);
     text += "\nConclusion: " + (a.classes.empty() ? "not recognised" : one_line(join(a.classes))) + ", score " +
             number(a.score, 2) + (a.consistent ? ", consistent\n" : ", INCOMPATIBLE\n");
+    for (const NearClass& near : a.nearest) text += "  near: " + one_line(in_words(near)) + "\n";
     text += "\nParts\n" + parts(a);
     if (!a.composites.empty()) text += "\nComposite parts\n" + composites(a);
     if (!a.diagnosis.empty()) text += "\nDiagnosis\n" + diagnoses(a);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <limits>
 #include <set>
 
@@ -200,13 +201,84 @@ TEST(Lint, WhyAnOntologyIsRefused) {
     EXPECT_TRUE(error.starts_with("mini.ttl:12: ")) << error;
     EXPECT_NE(error.find("mini.ttl:10"), std::string::npos) << error;
     EXPECT_EQ(error.find("mini.ttl:11"), std::string::npos) << "not to blame: " << error;
-    const Finding finding = why_refused(ontology.result, error);
+    const Finding finding = why_refused(ontology.result, error).at(0);
     EXPECT_EQ(finding.kind, FindingKind::contradiction);
     EXPECT_EQ(finding.causes, (std::vector<std::vector<std::size_t>>{{9, 11}}));
-    const Finding refused = why_refused(mini::shapes().sub("Board", "Stick").result, "mini.ttl:9: something is wrong");
+    const Finding refused =
+        why_refused(mini::shapes().sub("Board", "Stick").result, "mini.ttl:9: something is wrong").at(0);
     EXPECT_EQ(refused.kind, FindingKind::refused);
     EXPECT_EQ(refused.where.line, 9);
     EXPECT_EQ(refused.what, "something is wrong");
+}
+
+/// Each fault by itself is refused in the same words, so nothing is a fault only because of another one.
+TEST(Lint, AllRefusalsAtOnce) {
+    const auto sound = [] {
+        mini::Ontology ontology = mini::shapes();
+        ontology.same("Seat", some("hasShape", "Board")).same("Chair", both({name("Object"), some("hasPart", "Seat")}));
+        return ontology;
+    };
+    const std::vector<std::function<void(mini::Ontology&)>> faults{
+        [](mini::Ontology& o) {
+            o.same("Leg", both({name("Region"), name("Stick")}));
+        },
+        [](mini::Ontology& o) {
+            o.same("Stool", both({name("Object"), name("Leg"), name("Seat")}));
+        },
+        [](mini::Ontology& o) {
+            o.same("Back", both({name("Region"), some("hasShape", "Vertical")}));
+        },
+        [](mini::Ontology& o) { o.sub(name("Seat"), some("hasPart", "Leg")); },
+        [](mini::Ontology& o) {
+            o.same("Bed", both({name("Object"), mini::at_least(200000, mini::name("Seat"))}));
+        }};
+    mini::Ontology all = sound();
+    std::vector<std::string> wanted;
+    const auto without_line = [](const std::string& text) { return text.substr(text.find(": ") + 2); };
+    for (const auto& fault : faults) {
+        fault(all);
+        mini::Ontology one = sound();
+        one.same("Leg", both({name("Region"), some("hasShape", "Stick")}));
+        fault(one);
+        try {
+            (void)compile(one.result);
+            ADD_FAILURE() << "not refused";
+        } catch (const OntologyError& error) {
+            wanted.push_back(without_line(error.what()));
+        }
+    }
+    std::string first;
+    try {
+        (void)compile(all.result);
+    } catch (const OntologyError& error) {
+        first = error.what();
+    }
+    std::vector<std::string> found;
+    for (const Finding& finding : why_refused(all.result, first)) {
+        EXPECT_EQ(finding.kind, FindingKind::refused);
+        EXPECT_GT(finding.where.line, 0);
+        found.push_back(finding.what);
+    }
+    EXPECT_EQ(found, wanted);
+    EXPECT_EQ(all_refusals(sound().result), std::vector<std::string>{});
+}
+
+TEST(Lint, KnobsOutsideOfTheNamespaceOfCoreAreRemarked) {
+    mini::Ontology ontology = mini::shapes();
+    ontology.same("Seat", some("hasShape", "Board")).same("Chair", both({name("Object"), some("hasPart", "Seat")}));
+    owl::Annotation measure{"urn:test#measure", {"l0/l1", "", ""}, "", {"mini.ttl", 77}};
+    ontology.result.annotations[mini::iri("Board")].push_back(measure);
+    ontology.result.annotations[mini::iri("Stick")].push_back(measure);                   // told once
+    owl::Annotation maker{"urn:test#maker", {"somebody", "", ""}, "", {"mini.ttl", 78}};  // no knob
+    ontology.result.annotations[mini::iri("Board")].push_back(maker);
+    ontology.note("Cube", "cost", "3");
+    std::vector<Finding> findings;
+    for (Finding& finding : unknown_terms(ontology.result))
+        if (!finding.is_wrong) findings.push_back(std::move(finding));
+    ASSERT_EQ(findings.size(), 1U);
+    EXPECT_EQ(findings[0].what, "\"measure\" of Board is <urn:test#measure>, which nothing here reads");
+    EXPECT_EQ(findings[0].advice, "write core:measure if that is meant");
+    EXPECT_EQ(findings[0].where.line, 77);
 }
 
 TEST(Lint, IsQuickOnAThousandConcepts) {
