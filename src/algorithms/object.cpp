@@ -21,6 +21,7 @@
 #include <numeric>
 
 #include "algorithms/appearance.h"
+#include "algorithms/slope.h"
 #include "base/errors.h"
 #include "shape/hull_area.h"
 
@@ -56,15 +57,16 @@ double trimmed_end(std::vector<std::pair<double, double>>& ends, double spare) {
     return ends.back().first;
 }
 
-/// Extent along up, and the area of the convex outline seen from above. Cleaning left no vertex without a triangle.
+/// Extent in height, and the area of the convex outline seen from above. Cleaning left no vertex without a triangle.
 void stand(Object& object) {
+    object.heights = object.is_scene ? height_direction(object) : object.placement.up;
     object.low = std::numeric_limits<double>::infinity();
     object.high = -object.low;
     const Vec3 x = object.placement.up.unitOrthogonal(), y = object.placement.up.cross(x);
     std::vector<Eigen::Vector2d> plan;
     plan.reserve(object.mesh.positions.size());
     for (const Vec3& position : object.mesh.positions) {
-        const double z = position.dot(object.placement.up);
+        const double z = position.dot(object.heights);
         object.low = std::min(object.low, z);
         object.high = std::max(object.high, z);
         plan.emplace_back(position.dot(x), position.dot(y));
@@ -98,13 +100,11 @@ Object make_object(TriangleMesh mesh, const Placement& placement, int threads, b
     object.mesh = std::move(mesh);
     object.geometry = compute_geometry(object.mesh);
     object.placement = placement;
-    object.sideways.reset();
-    object.level.reset();
-    stand(object);
     const auto start = std::chrono::steady_clock::now();
     object.tree = std::make_shared<const RayTree>(object.mesh, threads);
     object.times.emplace_back(
         "tree", std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+    stand(object);
     cut(object, threads);
     return object;
 }
@@ -165,7 +165,7 @@ double main_level(const Object& object) {
     for (std::size_t t = 0; t < object.mesh.triangles.size(); ++t) {
         const double cosine = object.geometry.normals[t].dot(object.placement.up);
         if (cosine < flat_enough) continue;
-        const double above = object.geometry.barycentres[t].dot(object.placement.up) - object.low;
+        const double above = object.geometry.barycentres[t].dot(object.heights) - object.low;
         const auto step = static_cast<std::size_t>(std::clamp(above / height, 0.0, 1.0) * (steps - 1));
         areas[step] += cosine * object.geometry.areas[t];
         moments[step] += cosine * object.geometry.areas[t] * above;
@@ -195,7 +195,7 @@ RegionMeasurements measure_region(const Object& object, const PartRegion& part) 
     for (const int t : part.region.triangles) {
         double low = std::numeric_limits<double>::infinity(), high = -low;
         for (const int v : object.mesh.triangles[static_cast<std::size_t>(t)]) {
-            const double z = object.mesh.positions[static_cast<std::size_t>(v)].dot(object.placement.up);
+            const double z = object.mesh.positions[static_cast<std::size_t>(v)].dot(object.heights);
             low = std::min(low, z);
             high = std::max(high, z);
         }

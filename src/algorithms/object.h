@@ -50,7 +50,8 @@ struct Object {
     TriangleMesh mesh;
     TriangleGeometry geometry;
     Placement placement;
-    double low = 0, high = 0;              ///< extent along up, in file units
+    Vec3 heights = Vec3::UnitZ();          ///< what heights are read along: up, but for scenes on a slope (slope.h)
+    double low = 0, high = 0;              ///< extent along it, in file units
     double footprint = 0;                  ///< area of its shadow on the ground, without notches; squared file units
     bool is_scene = false;                 ///< cut as a scene (FindPartsOptions), as knowledge::Domain says
     std::vector<PartRegion> candidates;    ///< box-like regions of find_parts: what every `find all` chooses from
@@ -69,7 +70,8 @@ struct Object {
 /// threads <= 0: all cores.
 [[nodiscard]] Object make_object(TriangleMesh mesh, const Placement& placement, int threads = 1, bool is_scene = false);
 
-/// Stands the object with another side up, or measures it in another unit; its regions stay as they were cut.
+/// Stands the object with another side up, or measures it in another unit, or after it was found to be a scene; its
+/// regions stay as they were cut.
 void place(Object& object, const Placement& placement);
 
 /// Cuts the object into candidate regions again, after it was placed otherwise, or was found to be a scene. Up matters

@@ -62,7 +62,7 @@ const Surroundings& look_around(const Object& object, const RegionMeasurements& 
         const auto above = object.tree->first_hit(point + lift * up, up);
         if (!above) result.open_above += 1;
         if (!above || *above > room * height) result.room_above += 1;
-        const double above_ground = point.dot(up) - object.low;
+        const double above_ground = point.dot(object.heights) - object.low;
         const double start = above_ground + 0.01 * height;
         const auto way = object.tree->first_hit(point - start * up, up);
         if (way && above_ground > lift)

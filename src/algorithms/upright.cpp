@@ -114,6 +114,7 @@ Scene scene_of(const Object& object) {
     Scene scene;
     scene.object = &object;
     scene.frame = upright_frame(object);
+    scene.frame.row(2) = object.heights;  // up, but for scenes on a slope
     scene.low = Vec3::Constant(infinity);
     scene.high = -scene.low;
     for (const Vec3& position : object.mesh.positions) {

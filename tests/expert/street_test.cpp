@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <map>
 #include <set>
@@ -128,6 +129,35 @@ TEST(Street, AnswersTurnWithTheSceneAndDoNotDependOnItsTriangles) {
         EXPECT_EQ(same.parts.size(), annotation.parts.size());
         EXPECT_EQ(same.classes, annotation.classes);
         EXPECT_EQ(faults(other, same), expected);
+    }
+}
+
+/// Everything that stood upright still does, and what lay level follows the slope; or all of it tilts.
+TEST(Street, OnASlopeEverythingIsNamedAndEveryFaultIsFound) {
+    const std::string all_faults[] = {"DoorOntoNothing", "LampInRoad",  "TreeInRoad",
+                                      "CarOnPavement",   "BlockedDoor", "RooflessWall"};
+    const Eigen::Vector2d slopes[] = {{0.02, 0}, {0, -0.05}, {0.05, 0.03}, {-0.1, 0.02}};
+    for (std::size_t i = 0; i < 8; ++i) {
+        SCOPED_TRACE(i);
+        const Eigen::Vector2d& slope = slopes[i / 2];
+        const bool is_tilted = i % 2 == 1;
+        const std::string fault = i < 6 ? all_faults[i] : "";
+        ExampleObject scene = street({.seed = 51 + i,
+                                      .triangles = 5'000,
+                                      .buildings_a_side = 3,
+                                      .faults = fault.empty() ? std::vector<std::string>{} : std::vector{fault}});
+        const Eigen::AngleAxisd tilt(std::atan(slope.norm()), Vec3(-slope.y(), slope.x(), 0).normalized());
+        for (Vec3& p : scene.mesh.positions) {
+            if (is_tilted)
+                p = tilt * p;
+            else
+                p.z() += slope.dot(p.head<2>());
+        }
+        const Annotation annotation = recogniser().annotate(scene.mesh);
+        expect_all_named(scene, annotation);
+        std::set<std::string> names;
+        for (const auto& [name, label] : faults(scene, annotation)) names.insert(name);
+        EXPECT_EQ(names, fault.empty() ? std::set<std::string>{} : std::set{fault});
     }
 }
 
