@@ -14,6 +14,7 @@
  *     recut   a badly fitting part, along the pieces of a second, finer cut (find_parts without joining), and then join
  *             the pieces to each other and to the neighbours as long as that is likelier
  *
+ * What has no name does not join a part half as large under the name of that: a handle does not swallow the mug.
  * The best edit is taken as long as one is likelier by a margin. A rule that is broken counts for little, so that a
  * defect is reported rather than cut away: no edit may pay for it with a bad fit.
  *
@@ -51,6 +52,7 @@ constexpr double least_part = 0.02, least_piece = 0.002;  // shares of the surfa
 constexpr double along = 0.1;                             // of a region's border: a neighbour
 constexpr double roomy = 1.25, very_roomy = 3;            // common box over both boxes, at most; of an unnamed stump
 constexpr double stump = 0.02;                            // share of the surface, at most
+constexpr double swallowed = 2;                           // times as large as what would give it its name
 constexpr double join_margin = 0.2;                       // of the joining region's share of the surface
 constexpr double recut_margin = 0.01;
 constexpr std::size_t most_regions = 64, most_suspicious = 16, most_pieces = 100;
@@ -104,7 +106,7 @@ public:
                     if (best_gain(state, i, j, whole.region->part.fit) - margin <= most) continue;
                     State next = judged(replaced(state.cut, {i, j}, {whole.region}));
                     const double gain = next.likelihood - state.likelihood - margin;
-                    if (gain <= most) continue;
+                    if (gain <= most || (!is_fresh && swallows(state, j, i, next, whole.region))) continue;
                     most = gain;
                     const std::string& name = state.verdict.regions[i].name;
                     edit = {
@@ -176,6 +178,17 @@ private:
     [[nodiscard]] static double quality(const State& state, std::size_t i) {
         const Verdict::Named& named = state.verdict.regions[i];
         return named.name.empty() ? 0 : state.cut[i]->part.fit * named.fuzzy;
+    }
+
+    /// Whether a much larger region without a name would have the name of region `by` after the join.
+    [[nodiscard]] bool swallows(const State& before, std::size_t by, std::size_t what, const State& after,
+                                const Shared& whole) const {
+        const std::string& name = before.verdict.regions[by].name;
+        if (name.empty() || !before.verdict.regions[what].name.empty() ||
+            share(before.cut[what]) < swallowed * share(before.cut[by]))
+            return false;
+        const auto place = std::ranges::find(after.cut, whole) - after.cut.begin();
+        return after.verdict.regions[static_cast<std::size_t>(place)].name == name;
     }
 
     /// What a join would gain were the whole sure of its name and the others' names the same; no limit where the

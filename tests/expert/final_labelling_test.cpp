@@ -162,5 +162,44 @@ INSTANTIATE_TEST_SUITE_P(Paper, RightCut, paper_object_names, [](const auto& nam
     return word;
 });
 
+/// A body that is nothing the ontology knows, with a bar at its side, in one closed surface: as a whole it would be
+/// called what the bar is.
+TEST(FinalLabelling, AHandleDoesNotSwallowAMuchLargerBody) {
+    const Domain mugs(R"(
+Prefix: : <http://example.org/m#>
+Prefix: core: <https://w3id.org/partonomy/core#>
+Prefix: owl: <http://www.w3.org/2002/07/owl#>
+Ontology: <http://example.org/m>
+    Import: <https://w3id.org/partonomy/core>
+Class: :Wall
+    EquivalentTo: core:Region and (core:hasHollowness some core:Hollow)
+Class: :Reach
+    SubClassOf: core:Feature
+    DisjointUnionOf: :Long, :Short
+Class: :Long
+    Annotations: core:measure "l0/l1", core:membership "1.08 1.12 inf inf"
+Class: :Short
+    Annotations: core:measure "l0/l1", core:membership "-inf -inf 1.08 1.12"
+ObjectProperty: :hasReach
+    Characteristics: Functional
+    Range: :Reach
+Class: :Handle
+    EquivalentTo: core:Region and (:hasReach some :Long)
+Class: :Mug
+    EquivalentTo: core:Object and (core:hasPart some :Wall) and (core:hasPart some :Handle)
+)");
+    Shape shape;
+    shape.blocks.push_back({Vec3(0, 0, 0), Vec3(1, 1, 1), "-", 0});
+    shape.blocks.push_back({Vec3(1, 0.4, 0.2), Vec3(1.2, 0.6, 0.8), "Handle", 1});
+    ShapeScene scene;
+    scene.shapes.push_back(shape);
+    const ExampleObject mug = scene.mesh(0.05);
+    const Annotation annotation = annotate(mugs.domain, mugs.catalogue, make_object(mug.mesh, {}));
+    EXPECT_GT(share_right(mug, annotation, ""), 0.95);
+    ASSERT_FALSE(annotation.nearest.empty());
+    EXPECT_EQ(annotation.nearest.front().concept_name, "Mug");
+    EXPECT_EQ(annotation.nearest.front().lacks, std::vector<std::string>{"1 Wall"});
+}
+
 }  // namespace
 }  // namespace partonomy
