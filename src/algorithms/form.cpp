@@ -9,8 +9,9 @@
  *   keep noise out, slices keep bends and tapers out. A circle has 0, a pentagon 0.06, a square 0.1, a triangle 0.2. Of
  *   a board it is the outline that counts, of a block the roundest of its axes.
  * - taper: root of the mean squared distance from the middle of the slice, near both ends: smaller over larger.
- * - bend: how far the middles of the slices leave their best straight line, over the length. Of a board only across its
- *   thickness: an outline that is no rectangle does not make it bent.
+ * - bend: how far the middles of the slices leave their best straight line, over the length. Of a board across its
+ *   thickness; in its plane, and of a block, only where both borders of the outline bow the same way, as those of an
+ *   arch or a crescent do: any other outline that is no rectangle does not make it bent.
  * - wall: median over the points of the way through the material, against the normal, over the shortest length of the
  *   box. Points under which there is no opposite wall (sheets) count as 0.
  * - convexity: over many pairs of points, how far the second is behind the tangent plane of the first (convex) or
@@ -154,6 +155,50 @@ double bend_along(const Object& object, const RegionMeasurements& region, int ax
     return (high - low) / region.lengths[axis];
 }
 
+/// How far both borders of the outline, seen along the third axis, bow to the same side, over the length along the
+/// axis; 0 where one is straight, or bows to the other side. A border is the outermost of what faces outward, slice by
+/// slice.
+double bow_along(const Object& object, const RegionMeasurements& region, int axis, int across) {
+    constexpr int slices = 12;
+    constexpr double facing = 0.5, outermost = 0.15;   // of the points of a border in one slice
+    constexpr double from = 1.0 / 6, share = 2.0 / 3;  // of the length: beyond, ends that are cut askew are no border
+    const SurfaceSamples& samples = samples_of(object, region);
+    std::array<std::array<std::vector<double>, slices>, 2> sides;  // by border and slice: how far out
+    for (std::size_t i = 0; i < samples.points.size(); ++i) {
+        const double outward = samples.normals[i].dot(region.axes.col(across));
+        if (std::abs(outward) < facing || !(region.lengths[axis] > 0)) continue;
+        const Vec3 way = samples.points[i] - region.centre;
+        const double at = (way.dot(region.axes.col(axis)) / region.lengths[axis] + 0.5 - from) / share * slices;
+        if (at < 0 || at >= slices) continue;
+        const double sign = outward > 0 ? 1 : -1;
+        sides[outward > 0 ? 0 : 1][static_cast<std::size_t>(at)].push_back(sign * way.dot(region.axes.col(across)));
+    }
+    std::array<double, 2> bows{};
+    for (std::size_t side = 0; side < 2; ++side) {
+        // A parabola through the border's places: its curvature times a quarter is how far its middle leaves the chord.
+        Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+        Vec3 sums = Vec3::Zero();
+        int met = 0;
+        for (std::size_t k = 0; k < slices; ++k) {
+            std::vector<double>& places = sides[side][k];
+            if (places.size() < 3) continue;
+            const auto kept =
+                std::max<std::size_t>(1, static_cast<std::size_t>(outermost * static_cast<double>(places.size())));
+            std::ranges::nth_element(places, places.begin() + static_cast<std::ptrdiff_t>(kept - 1), std::greater<>());
+            const double place = (side == 0 ? 1 : -1) * places[kept - 1];
+            const double x = from + (static_cast<double>(k) + 0.5) / slices * share - 0.5;
+            const Vec3 row(1, x, x * x);
+            squares += row * row.transpose();
+            sums += place * row;
+            ++met;
+        }
+        if (met < slices / 2) return 0;
+        bows[side] = squares.ldlt().solve(sums)[2] / 4;
+    }
+    if (bows[0] * bows[1] <= 0) return 0;
+    return std::min(std::abs(bows[0]), std::abs(bows[1])) / region.lengths[axis];
+}
+
 /// A block that is round about an axis, in a frame along that axis: its smallest box may stand askew, and its sides are
 /// all alike. Nothing for anything else.
 std::optional<RegionMeasurements> about_its_axis(const Object& object, const RegionMeasurements& region) {
@@ -208,9 +253,18 @@ double end_ratio(const Object& object, const RegionMeasurements& region) {
 
 double bend(const Object& object, const RegionMeasurements& region) {
     if (is_stick(region.lengths)) return std::max(bend_along(object, region, 0, 1), bend_along(object, region, 0, 2));
+    double most = 0;
     if (const auto turned = about_its_axis(object, region))
-        return std::max(bend_along(object, *turned, 0, 1), bend_along(object, *turned, 0, 2));
-    return std::max(bend_along(object, region, 0, 2), bend_along(object, region, 1, 2));
+        most = std::max(bend_along(object, *turned, 0, 1), bend_along(object, *turned, 0, 2));
+    else
+        most = std::max(bend_along(object, region, 0, 2), bend_along(object, region, 1, 2));
+    for (int axis = 0; axis < 3; ++axis)
+        for (int across = 0; across < 3; ++across) {
+            const bool is_in_plane = axis != 2 && across != 2;
+            if (axis != across && (is_in_plane || !is_board(region.lengths)))
+                most = std::max(most, bow_along(object, region, axis, across));
+        }
+    return most;
 }
 
 double wall_thickness(const Object& object, const RegionMeasurements& region) {

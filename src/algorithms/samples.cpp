@@ -1,20 +1,43 @@
 /* Points spread evenly over a region: what the measures of form look at.
  *
  * A box may have twelve triangles or twelve thousand, and noise may fold them; points at equal steps of area, on the
- * surface that calm() leaves, see the same shape in all of them. Within a triangle the points follow a sequence that
- * fills it evenly. O(#T) for the calm surface, once an object; O(#T of the region) for the points. */
+ * surface with its noise taken out, see the same shape in all of them. Of a fine mesh sharpen() takes it out, so that
+ * six sides stay six; of a coarse one, or one of slivers, calm(), since its facets are no creases. Within a triangle
+ * the points follow a sequence that fills it evenly. O(#T) for the calm surface, once an object; O(#T of the region)
+ * for the points. */
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 #include "algorithms/form.h"
 #include "shape/calm.h"
+#include "shape/sharpen.h"
 
 namespace partonomy {
 namespace {
 
 constexpr int sample_count = 3000;
+constexpr double too_rough = 20;   // degrees from triangle to triangle: creases drown in it
 constexpr double left_over = 0.3;  // noise that smoothing leaves, of what it took
+
+/// As scans have them: neighbours tell more of the surface than of how it was cut into facets.
+bool has_small_even_triangles(const Object& object) {
+    constexpr std::size_t least_count = 1000;
+    constexpr double most_uneven = 5;  // square of the longest side over twice the area; 1.2 where all sides are alike
+    double sum = 0, area = 0;
+    for (std::size_t t = 0; t < object.mesh.triangles.size(); ++t) {
+        const auto& corners = object.mesh.triangles[t];
+        double longest = 0;
+        for (std::size_t i = 0; i < 3; ++i)
+            longest = std::max(longest, (object.mesh.positions[static_cast<std::size_t>(corners[(i + 1) % 3])] -
+                                         object.mesh.positions[static_cast<std::size_t>(corners[i])])
+                                            .squaredNorm());
+        sum += longest / 2;
+        area += object.geometry.areas[t];
+    }
+    return object.mesh.triangles.size() >= least_count && sum <= most_uneven * area;
+}
 
 SurfaceSamples take_samples(const CalmSurface& surface, const Object& object, std::span<const std::int32_t> triangles) {
     SurfaceSamples samples;
@@ -56,6 +79,13 @@ const CalmSurface& calm_surface(const Object& object) {
         surface->mesh = object.mesh;
     } else {
         surface->mesh = std::move(calming.mesh);
+        if (has_small_even_triangles(object)) {
+            surface->mesh = object.mesh;
+            surface->geometry = object.geometry;
+            if (roughness(surface->adjacency, surface->geometry) > too_rough)
+                surface->mesh = calm(object.mesh, surface->adjacency, surface->geometry, 1, too_rough).mesh;
+            sharpen(surface->mesh, surface->geometry);
+        }
         double moved = 0;
         for (std::size_t v = 0; v < object.mesh.positions.size(); ++v)
             moved += (surface->mesh.positions[v] - object.mesh.positions[v]).squaredNorm();

@@ -2,10 +2,11 @@
  *
  * The region is cut into patches (shape/patches.h), once, when a question needs it; the share of a kind is the area of
  * its patches over that of the region. Round patches count together when they are concentric: an egg is well fitted by
- * several tori, each a little different, and is none. A whole part has all of its sides: a long round stick is cylinder
- * but for its ends. A region that is one patch is of one kind altogether. How well the largest flat patch fills its
- * smallest rectangle and circle tells rectangles from discs: a square fills 0.64 of its circle, a disc 0.79 of its
- * rectangle. */
+ * several tori, each a little different, and is none. What noise made another kind of patch counts where it lies on the
+ * cylinder, cone or sphere all the same, as the tip of a long cone does. A whole part has all of its sides: a long
+ * round stick is cylinder but for its ends. A region that is one patch is of one kind altogether. How well the largest
+ * flat patch fills its smallest rectangle and circle tells rectangles from discs: a square fills 0.64 of its circle, a
+ * disc 0.79 of its rectangle. */
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -40,6 +41,24 @@ bool are_concentric(const Primitive& a, const Primitive& b) {
            std::abs(a.slope - b.slope) <= alike * a.slope;
 }
 
+/// Whether a curved patch of another kind lies on a cylinder, cone or sphere.
+bool lies_on(const CalmSurface& calm, const Patch& patch, const Primitive& primitive) {
+    constexpr double most_turned = 0.44;  // radians on average, as where primitives are fitted
+    if (patch.primitive.kind == SurfaceKind::flat || primitive.kind == SurfaceKind::torus) return false;
+    double squares = 0, turned = 0, area = 0;
+    for (const std::int32_t triangle : patch.triangles) {
+        const auto t = static_cast<std::size_t>(triangle);
+        const Vec3& middle = calm.geometry.barycentres[t];
+        const double distance = primitive.distance(middle);
+        const double cosine = std::abs(primitive.normal(middle).dot(calm.geometry.normals[t]));
+        area += calm.geometry.areas[t];
+        squares += calm.geometry.areas[t] * distance * distance;
+        turned += calm.geometry.areas[t] * std::acos(std::min(1.0, cosine));
+    }
+    return area > 0 && turned <= most_turned * area &&
+           std::sqrt(squares / area) <= 2 * tolerance(primitive, std::sqrt(patch.area), calm.noise);
+}
+
 }  // namespace
 
 const std::vector<Patch>& patches_of(const Object& object, const RegionMeasurements& region) {
@@ -55,8 +74,9 @@ double kind_share(const Object& object, const RegionMeasurements& region, Surfac
         if (patch.primitive.kind != kind) continue;
         double area = 0;
         for (const Patch& other : patches)
-            if (other.primitive.kind == kind &&
-                (kind == SurfaceKind::flat || are_concentric(patch.primitive, other.primitive)))
+            if (other.primitive.kind != kind
+                    ? kind != SurfaceKind::flat && lies_on(calm_surface(object), other, patch.primitive)
+                    : kind == SurfaceKind::flat || are_concentric(patch.primitive, other.primitive))
                 area += other.area;
         largest = std::max(largest, area);
     }

@@ -23,7 +23,7 @@ namespace partonomy {
 
 namespace {
 
-constexpr double clean_degrees = 0.3, calm_degrees = 3;
+constexpr double clean_degrees = 0.3, blurred_degrees = 3;
 constexpr int most_rounds = 12, steps_a_round = 3;
 constexpr double grain = 3;  // of the root of the mean area of a triangle
 constexpr double forth = 0.6, back = -0.62;
@@ -88,11 +88,13 @@ double roughness(const Adjacency& adjacency, const TriangleGeometry& geometry, i
     return std::acos(std::clamp(*middle, -1.0, 1.0)) * 180 / std::numbers::pi;
 }
 
-Calming calm(const TriangleMesh& mesh, const Adjacency& adjacency, TriangleGeometry& geometry, int threads) {
+Calming calm(const TriangleMesh& mesh, const Adjacency& adjacency, TriangleGeometry& geometry, int threads,
+             double calm_degrees) {
     const double before = roughness(adjacency, geometry, threads);
     if (before < clean_degrees) return {};
     const double area = sum(geometry.areas, threads);
-    Calming result{mesh, grain * std::sqrt(area / static_cast<double>(geometry.areas.size())), before > calm_degrees};
+    Calming result{mesh, grain * std::sqrt(area / static_cast<double>(geometry.areas.size())),
+                   before > blurred_degrees};
     Relaxation relaxation(mesh, threads);
     for (int round = 0; round < most_rounds; ++round) {
         for (int step = 0; step < steps_a_round; ++step) {

@@ -12,9 +12,10 @@ struct Calming {
 };
 
 /// Moves the vertices of a rough mesh to where the surface was before the noise, about. `geometry` becomes that of the
-/// calmed mesh; with a clean mesh it stays. threads <= 0: all cores; same result on any number.
+/// calmed mesh; with a clean mesh it stays. threads <= 0: all cores; same result on any number. It is calm once its
+/// roughness is below `calm_degrees`.
 [[nodiscard]] Calming calm(const TriangleMesh& mesh, const Adjacency& adjacency, TriangleGeometry& geometry,
-                           int threads = 1);
+                           int threads = 1, double calm_degrees = 3);
 
 /// How far neighbouring triangles turn to and fro, in degrees: half of the triangles have both a convex and a concave
 /// edge of at least so much. Flat, cylindrical and creased surfaces have none of it, whatever their triangles.

@@ -96,6 +96,15 @@ Outline hat() {
     return profile;
 }
 
+/// Around a point within, towards which sweep() shrinks it.
+Outline half_disc(double radius, double along) {
+    const int count = static_cast<int>(std::lround(pi * radius / along));
+    Outline points = line({{-radius, -0.4 * radius}, {radius, -0.4 * radius}});
+    for (int i = 1; i < count; ++i)
+        points.emplace_back(radius * std::cos(pi * i / count), radius * (std::sin(pi * i / count) - 0.4));
+    return points;
+}
+
 /// A ball with three different axes: no piece of it is a piece of a ball or a torus for long.
 TriangleMesh egg(double s) {
     TriangleMesh mesh = ball(0.7, s);
@@ -136,6 +145,11 @@ std::vector<KnownShape> shapes_by_form() {
          "Level", "Disc"});
     add("long board on edge", cuboid(0.2, 3, 0.9), {"Board", "Vertical", "Elongated", "Upright"});
     add("bent board", sweep(rectangle(0.15, 1.5, s), 2, s, along_arc(2, 80)), {"Bent", "Even", "MirrorSymmetric"});
+    add("arch", sweep(rectangle(0.25, 0.15, s), 2.75, s, along_arc(2.75, 180)), {"Board", "Bent", "MirrorSymmetric"});
+    add("wide arch", sweep(rectangle(0.5, 0.15, s), 1.75, s, along_arc(1.75, 100)),
+        {"Board", "Bent", "MirrorSymmetric"});
+    add("deep arch", sweep(rectangle(0.2, 1, s), 2.8, s, along_arc(2.8, 180)), {"Bent"});
+    add("half disc", sweep(half_disc(1, s), 0.15, s), {"Board", "Straight", "MirrorSymmetric"});
     add("board that narrows", sweep(polygon({{-1, -0.8}, {1, -0.25}, {1, 0.25}, {-1, 0.8}}, s), 0.2, s),
         {"Board", "Tapered", "Straight", "Solid", "MirrorSymmetric", "TurnAsymmetric", "Level", "Flat"});
     add("lopsided board", sweep(polygon({{-0.9, -0.6}, {1.1, -0.6}, {-0.9, 0.9}}, s), 0.25, s),
@@ -155,6 +169,12 @@ std::vector<KnownShape> shapes_by_form() {
         {"Cube", "Cone", "Round", "Tapered", "Straight", "MirrorSymmetric", "TurnSymmetric"});
     add("round stick that narrows slowly", sweep(ellipse(0.2, 0.2, s), 3, s, shrinking(3, 0.5)),
         {"Stick", "Cone", "Round", "Tapered", "Straight", "Solid"});
+    add("six-sided stick", sweep(regular(6, 0.3, s), 2, s), {"Stick", "Even", "Straight", "Solid", "Rectangle"});
+    add("blunt cone", sweep(ellipse(0.6, 0.6, s), 1.5, s, shrinking(1.5, 1.0 / 3)),
+        {"Cone", "Round", "Tapered", "Straight", "Solid"});
+    add("slender cone", sweep(ellipse(0.25, 0.25, s), 3, s, shrinking(3, 0.1)),
+        {"Stick", "Cone", "Round", "Tapered", "Straight"});
+    add("coarse round stick", sweep(regular(16, 0.3, 1), 2, 2), {"Stick", "Round", "Even", "Straight", "Cylinder"});
     add("egg", egg(s), {"Cube", "Freeform", "Round", "Even", "Straight", "Convex"});
     add("slab on edge, tilted", tilted(sweep(rectangle(0.2, 1.2, s), 1.6, s), 45), {"Oblique", "Solid", "Straight"});
     add("leaning stick", tilted(cuboid(0.3, 0.3, 2.5), 35), {"Stick", "Oblique", "Straight"});
