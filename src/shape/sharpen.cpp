@@ -22,7 +22,7 @@
 namespace partonomy {
 namespace {
 
-constexpr int normal_rounds = 20, vertex_rounds = 12;
+constexpr int normal_rounds = 10, vertex_rounds = 10;
 constexpr double alike = 0.35;           // distance of two guides that still counts for a good part
 constexpr std::size_t most_around = 40;  // triangles in a patch; fans of more are cut off
 
