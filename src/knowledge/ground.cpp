@@ -267,16 +267,24 @@ ConfigurationSet Grounder::values(const ClassExpression& expression, std::size_t
             return result;
         }
     }
-    for (const Axiom& told : ontology_.axioms)  // a range concept but for one tick
-        if (told.kind == AxiomKind::object_property_range && !told.properties[0].inverse &&
-            told.classes[0]->kind == ClassKind::named && told.classes[0]->iri == iri)
-            refuse(told, "no functional property has the range " + owl::local_name(iri),
-                   "tick Functional on " + owl::local_name(told.properties[0].iri));
-    if (const Axiom* functional = leads_without_range(iri))
-        refuse(*functional,
-               "no range says that " + owl::local_name(functional->properties[0].iri) + " leads to " +
-                   owl::local_name(iri),
-               "give it the range " + owl::local_name(iri));
+    std::vector<Iri> features{iri};  // it may be one but for a tick or a range, or a value of such a one
+    for (const Axiom& told : ontology_.axioms)
+        if (told.kind == AxiomKind::sub_class_of && told.classes[0]->iri == iri && !told.classes[1]->iri.empty() &&
+            told.classes[1]->iri != core_term("Feature"))
+            features.push_back(told.classes[1]->iri);
+    for (const Iri& feature : features) {
+        for (const Axiom& told : ontology_.axioms)
+            if (told.kind == AxiomKind::object_property_range && !told.properties[0].inverse &&
+                told.classes[0]->kind == ClassKind::named && told.classes[0]->iri == feature &&
+                !range_names_.contains(feature))
+                refuse(told, "no functional property has the range " + owl::local_name(feature),
+                       "tick Functional on " + owl::local_name(told.properties[0].iri));
+        if (const Axiom* functional = leads_without_range(feature); functional && !range_names_.contains(feature))
+            refuse(*functional,
+                   "no range says that " + owl::local_name(functional->properties[0].iri) + " leads to " +
+                       owl::local_name(feature),
+                   "give it the range " + owl::local_name(feature));
+    }
     refuse(axiom, owl::local_name(iri) + " is no value of " + owl::local_name(concept_range.iri),
            "list it in the disjoint union of " + owl::local_name(concept_range.iri) +
                ", or define it as a combination of its values");
