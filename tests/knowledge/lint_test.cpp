@@ -263,6 +263,30 @@ TEST(Lint, AllRefusalsAtOnce) {
     EXPECT_EQ(all_refusals(sound().result), std::vector<std::string>{});
 }
 
+TEST(Lint, AForgottenRangeAndAWholeInARelationAreMended) {
+    mini::Ontology ranged = mini::shapes();
+    ranged.sub("Stance", "Feature")
+        .axiom(owl::AxiomKind::disjoint_union, {name("Stance"), name("Steady"), name("Tippy")})
+        .axiom(owl::AxiomKind::functional_object_property, {}, "hasStance")
+        .same("Base", both({some("hasShape", "Board"), some("hasStance", "Tippy")}))
+        .same("Lamp", some("hasPart", "Base"));
+    const std::vector<std::string> refused = all_refusals(ranged.result);
+    ASSERT_EQ(refused.size(), 1U);
+    EXPECT_NE(refused[0].find("hasStance leads to Stance; give it the range Stance"), std::string::npos) << refused[0];
+
+    mini::Ontology whole = mini::shapes();
+    whole.sub("Stem", "CompositePart")
+        .same("Pole", some("hasShape", "Stick"))
+        .same("Stem", both({name("CompositePart"), some("hasPart", "Pole")}))
+        .same("Seat", both({some("hasShape", "Board"), name("Stem")}))
+        .same("Lamp", both({name("Object"), some("hasPart", "Stem")}));
+    bool is_told = false;
+    for (const std::string& text : all_refusals(whole.result))
+        is_told |= text.find("Stem is a composite part where a region is meant; write Pole, of which it consists") !=
+                   std::string::npos;
+    EXPECT_TRUE(is_told);
+}
+
 TEST(Lint, KnobsOutsideOfTheNamespaceOfCoreAreRemarked) {
     mini::Ontology ontology = mini::shapes();
     ontology.same("Seat", some("hasShape", "Board")).same("Chair", both({name("Object"), some("hasPart", "Seat")}));
