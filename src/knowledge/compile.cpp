@@ -3,6 +3,7 @@
 #include "base/errors.h"
 #include "knowledge/assembly.h"
 #include "knowledge/causes.h"
+#include "knowledge/concept_relations.h"
 #include "knowledge/mesh_world.h"
 #include "knowledge/plain.h"
 
@@ -92,14 +93,17 @@ void finish_space(const Theory& theory, const Scope& scope, Subject subject, con
     space.possible = space.all();
     const bool has_primitives = std::ranges::any_of(
         space.variables, [](const Variable& variable) { return variable.kind == VariableKind::primitive; });
+    const bool are_few = theory.concepts.size() <= most_compared;
     std::vector<char> proved;
-    if (has_primitives && space.diagram) proved = provable_regions(theory, scope);
+    if (has_primitives && space.diagram && are_few) proved = provable_regions(theory, scope);
     for (std::size_t id = 0; id < theory.concepts.size(); ++id) {
         const NamedConcept& named = theory.concepts[id];
         if (!subject.has(named) || named.open) continue;
         const ConfigurationSet& where = layer.concepts[id];
         bool provable = where.is_empty() ? named.definition >= 0 : true;
-        if (has_primitives && provable && space.diagram)
+        if (has_primitives && provable && !are_few)
+            provable = named.definition >= 0;
+        else if (has_primitives && provable && space.diagram)
             provable = proved[id] != 0;
         else if (has_primitives && provable)
             provable = !(where - blurred(space, where.complement())).is_empty();
@@ -108,6 +112,8 @@ void finish_space(const Theory& theory, const Scope& scope, Subject subject, con
             {named.iri, where, named.incompatible, provable, rests_on_relations(theory, static_cast<int>(id))});
     }
 }
+
+constexpr std::size_t most_concepts = 10'000;  // memory grows with their square: these take 1.6 GB
 
 /// Runs `work`; an error without a place gets the file's.
 template <typename Work>
@@ -250,6 +256,12 @@ Domain compile(owl::Ontology ontology, const CompileOptions& options) {
     if (std::ranges::none_of(theory.concepts, [](const NamedConcept& named) { return named.level == Level::object; }))
         throw OntologyError(
             at(file, 0, "no concept describes an object; put at least one below core:Object, with its hasPart."));
+    if (theory.concepts.size() > most_concepts)
+        throw OntologyError(
+            at(file, 0,
+               "these are " + std::to_string(theory.concepts.size()) + " concepts, and more than " +
+                   std::to_string(most_concepts) +
+                   " cannot be compiled together; part the ontology, or leave out what no axiom uses."));
     Layer regions;
     placed_in(file, [&] {
         const Scope& scope = grounding->scope = whole_scope(theory, ontology.axioms.size());

@@ -134,6 +134,7 @@ private:
 ConceptRelations relate(const Theory& theory, const Space& space, Level level,
                         const std::vector<std::size_t>& concepts) {
     constexpr std::size_t most_objects = 100;  // concepts whose sets the solver compares
+    if (concepts.size() > most_compared) return {};
     if (!space.diagram) return relate_listed(space, concepts);
     if (level != Level::object) return Sampler(theory, space, concepts).run();
     return concepts.size() <= most_objects ? relate_listed(space, concepts) : ConceptRelations{};

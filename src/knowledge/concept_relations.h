@@ -7,6 +7,10 @@
 
 namespace partonomy::knowledge {
 
+/// Of more concepts than this in an ontology, none is compared with the others, and what has a definition is believed to
+/// be provable: both take the square of their number.
+constexpr std::size_t most_compared = 3000;
+
 /// How the concepts of one layer relate.
 struct ConceptRelations {
     std::vector<std::vector<std::size_t>> alike;                                ///< groups of at least two
@@ -15,7 +19,7 @@ struct ConceptRelations {
 };
 
 /// How these concepts of a space relate; `level` of a composite part is that of regions, of which nothing else is
-/// compiled.
+/// compiled. Empty for more than `most_compared`.
 [[nodiscard]] ConceptRelations relate(const Theory& theory, const Space& space, Level level,
                                       const std::vector<std::size_t>& concepts);
 

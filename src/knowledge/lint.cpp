@@ -95,6 +95,11 @@ private:
     }
 
     void look_at_space(const Space& space, const std::string& what) {
+        if (space.concepts.size() > most_compared)
+            add(FindingKind::uncounted, false, {}, {},
+                std::to_string(space.concepts.size()) + " concepts of a " + what +
+                    " are too many to compare: which of them are alike or overlap was not looked at",
+                "check the ontology in smaller files");
         look_at_concepts(space, what);
         look_at_relations(space, what);
     }

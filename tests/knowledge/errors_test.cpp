@@ -156,3 +156,10 @@ TEST(Errors, KnobsOutOfOrder) {
         EXPECT_TRUE(error.starts_with("mini.ttl:1000: typicalHeight")) << error;
     }
 }
+
+TEST(Errors, MoreConceptsThanCanBeCompiled) {
+    Ontology ontology = shapes();
+    ontology.same("Chair", some("hasPart", "C1"));
+    for (int i = 0; i < 10'000; ++i) ontology.sub("C" + std::to_string(i), "Region");
+    EXPECT_NE(error_of(ontology.result).find("more than 10000 cannot be compiled together"), std::string::npos);
+}

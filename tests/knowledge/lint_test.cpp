@@ -329,3 +329,14 @@ TEST(Lint, IsQuickOnAThousandConcepts) {
     const std::vector<Finding> findings = lint(domain);
     EXPECT_EQ(of_kind(findings, FindingKind::indistinguishable).size(), 498U);
 }
+
+TEST(Lint, VeryManyConceptsAreNotCompared) {
+    mini::Ontology ontology;
+    for (int i = 0; i < 3001; ++i) ontology.sub("C" + std::to_string(i), "Region");
+    ontology.same("Chair", some("hasPart", "C1"));
+    const std::vector<Finding> findings = lint(compile(ontology.result));
+    const std::vector<Finding> uncounted = of_kind(findings, FindingKind::uncounted);
+    ASSERT_EQ(uncounted.size(), 1U);
+    EXPECT_NE(uncounted[0].what.find("too many to compare"), std::string::npos) << uncounted[0].what;
+    EXPECT_EQ(of_kind(findings, FindingKind::unprovable).size(), 3001U);
+}
