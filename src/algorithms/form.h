@@ -10,6 +10,9 @@ namespace partonomy {
 /// The object's surface with noise taken out, made the first time that it is asked for (not from two threads at once).
 [[nodiscard]] const CalmSurface& calm_surface(const Object& object);
 
+/// The same with its creases kept where the region has triangles enough to tell them from noise.
+[[nodiscard]] const CalmSurface& surface_of(const Object& object, const RegionMeasurements& region);
+
 /// Points of equal shares of the region's area, made the first time that they are asked for; empty without area.
 [[nodiscard]] const SurfaceSamples& samples_of(const Object& object, const RegionMeasurements& region);
 

@@ -62,8 +62,9 @@ struct Object {
     mutable std::optional<double> area;    ///< of its surface, the same
     mutable std::optional<Vec3> sideways;  ///< as it stands, the same: sideways_of
     mutable std::optional<double> level;   ///< as it stands, the same: main_level
-    mutable std::shared_ptr<const CalmSurface> calm;  ///< once a question needed it: calm_surface
-    std::shared_ptr<const Appearance> appearance;     ///< null: no colours, or nothing asks for them; see paint
+    mutable std::shared_ptr<const CalmSurface> calm;   ///< once a question needed it: calm_surface
+    mutable std::shared_ptr<const CalmSurface> sharp;  ///< the same: surface_of
+    std::shared_ptr<const Appearance> appearance;      ///< null: no colours, or nothing asks for them; see paint
 };
 
 /// Measures the mesh and cuts it into candidate regions. Needs no ontology but for whether it is about scenes.

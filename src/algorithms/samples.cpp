@@ -39,6 +39,13 @@ bool has_small_even_triangles(const Object& object) {
     return object.mesh.triangles.size() >= least_count && sum <= most_uneven * area;
 }
 
+double noise_left(const TriangleMesh& before, const TriangleMesh& after) {
+    double moved = 0;
+    for (std::size_t v = 0; v < before.positions.size(); ++v)
+        moved += (after.positions[v] - before.positions[v]).squaredNorm();
+    return left_over * std::sqrt(moved / static_cast<double>(before.positions.size()));
+}
+
 SurfaceSamples take_samples(const CalmSurface& surface, const Object& object, std::span<const std::int32_t> triangles) {
     SurfaceSamples samples;
     double total = 0;
@@ -74,31 +81,37 @@ const CalmSurface& calm_surface(const Object& object) {
     auto surface = std::make_shared<CalmSurface>();
     surface->adjacency = build_adjacency(object.mesh);
     surface->geometry = object.geometry;
-    Calming calming = calm(object.mesh, surface->adjacency, surface->geometry);
-    if (calming.mesh.triangles.empty()) {
+    surface->mesh = calm(object.mesh, surface->adjacency, surface->geometry).mesh;
+    if (surface->mesh.triangles.empty())
         surface->mesh = object.mesh;
-    } else {
-        surface->mesh = std::move(calming.mesh);
-        if (has_small_even_triangles(object)) {
-            surface->mesh = object.mesh;
-            surface->geometry = object.geometry;
-            if (roughness(surface->adjacency, surface->geometry) > too_rough)
-                surface->mesh = calm(object.mesh, surface->adjacency, surface->geometry, 1, too_rough).mesh;
-            sharpen(surface->mesh, surface->geometry);
-        }
-        double moved = 0;
-        for (std::size_t v = 0; v < object.mesh.positions.size(); ++v)
-            moved += (surface->mesh.positions[v] - object.mesh.positions[v]).squaredNorm();
-        surface->noise = left_over * std::sqrt(moved / static_cast<double>(object.mesh.positions.size()));
-    }
+    else
+        surface->noise = noise_left(object.mesh, surface->mesh);
     object.calm = std::move(surface);
     return *object.calm;
+}
+
+const CalmSurface& surface_of(const Object& object, const RegionMeasurements& region) {
+    constexpr std::size_t fine_enough = 500;  // of fewer triangles, facets and noise look alike
+    if (region.triangles.size() < fine_enough) return calm_surface(object);
+    if (object.sharp) return *object.sharp;
+    static_cast<void>(calm_surface(object));
+    object.sharp = object.calm;
+    if (object.calm->noise > 0 && has_small_even_triangles(object)) {
+        auto surface = std::make_shared<CalmSurface>(
+            CalmSurface{object.mesh, object.geometry, object.calm->adjacency, object.calm->noise});
+        if (roughness(surface->adjacency, surface->geometry) > too_rough)
+            surface->mesh = calm(object.mesh, surface->adjacency, surface->geometry, 1, too_rough).mesh;
+        sharpen(surface->mesh, surface->geometry);
+        surface->noise = noise_left(object.mesh, surface->mesh);
+        object.sharp = std::move(surface);
+    }
+    return *object.sharp;
 }
 
 const SurfaceSamples& samples_of(const Object& object, const RegionMeasurements& region) {
     if (!region.samples)
         region.samples =
-            std::make_shared<const SurfaceSamples>(take_samples(calm_surface(object), object, region.triangles));
+            std::make_shared<const SurfaceSamples>(take_samples(surface_of(object, region), object, region.triangles));
     return *region.samples;
 }
 

@@ -18,8 +18,8 @@
 namespace partonomy {
 namespace {
 
-PatchSurface surface_of(const Object& object) {
-    const CalmSurface& calm = calm_surface(object);
+PatchSurface patch_surface(const Object& object, const RegionMeasurements& region) {
+    const CalmSurface& calm = surface_of(object, region);
     return {calm.mesh, calm.geometry, calm.adjacency, calm.noise};
 }
 
@@ -63,7 +63,8 @@ bool lies_on(const CalmSurface& calm, const Patch& patch, const Primitive& primi
 
 const std::vector<Patch>& patches_of(const Object& object, const RegionMeasurements& region) {
     if (!region.patches)
-        region.patches = std::make_shared<const std::vector<Patch>>(find_patches(surface_of(object), region.triangles));
+        region.patches =
+            std::make_shared<const std::vector<Patch>>(find_patches(patch_surface(object, region), region.triangles));
     return *region.patches;
 }
 
@@ -75,7 +76,7 @@ double kind_share(const Object& object, const RegionMeasurements& region, Surfac
         double area = 0;
         for (const Patch& other : patches)
             if (other.primitive.kind != kind
-                    ? kind != SurfaceKind::flat && lies_on(calm_surface(object), other, patch.primitive)
+                    ? kind != SurfaceKind::flat && lies_on(surface_of(object, region), other, patch.primitive)
                     : kind == SurfaceKind::flat || are_concentric(patch.primitive, other.primitive))
                 area += other.area;
         largest = std::max(largest, area);
@@ -95,7 +96,7 @@ Outline largest_outline(const Object& object, const RegionMeasurements& region) 
     const Patch* largest = nullptr;
     for (const Patch& patch : patches_of(object, region))
         if (patch.primitive.kind == SurfaceKind::flat && (!largest || patch.area > largest->area)) largest = &patch;
-    return largest ? outline_of(surface_of(object), *largest) : Outline{};
+    return largest ? outline_of(patch_surface(object, region), *largest) : Outline{};
 }
 
 }  // namespace partonomy
