@@ -4,7 +4,7 @@
    the parts that are C for sure, and with those that may be: a part that is needed and there counts as right, one that
    is needed and not there as lacking, one beyond what is allowed as too many. A conjunction adds up, of a disjunction
    the best branch counts, negation swaps the two. The likeness of a concept is the share of right ones; a part that may
-   be what is needed counts half. Cost: one walk over each definition, as the shared parts of formulas are few. */
+   be what is needed counts half. Cost: one walk over each definition. */
 
 #include "knowledge/near_miss.h"
 
@@ -76,9 +76,11 @@ public:
             }
             case Formula::Kind::named: {
                 const NamedConcept& named = theory_.concepts[static_cast<std::size_t>(formula.index)];
-                if (named.definition >= 0 && depth < deepest) return match(named.definition, is_wanted, depth + 1);
                 result.can_be = !is_wanted;
-                return result;
+                if (named.definition < 0 || depth == deepest) return result;
+                const std::pair key(formula.index, is_wanted);
+                if (const auto known = of_names_.find(key); known != of_names_.end()) return known->second;
+                return of_names_[key] = match(named.definition, is_wanted, depth + 1);
             }
             case Formula::Kind::parts:
                 return match_parts(id, is_wanted);
@@ -144,6 +146,7 @@ private:
     const Theory& theory_;
     const Parts& parts_;
     const Conclusions& known_;
+    mutable std::map<std::pair<int, bool>, Match> of_names_;  ///< walked once, however many definitions use a name
 };
 
 /// "2 Leg (part 3 may be one)"
