@@ -98,7 +98,7 @@ const CalmSurface& surface_of(const Object& object, const RegionMeasurements& re
     object.sharp = object.calm;
     if (object.calm->noise > 0 && has_small_even_triangles(object)) {
         auto surface = std::make_shared<CalmSurface>(
-            CalmSurface{object.mesh, object.geometry, object.calm->adjacency, object.calm->noise});
+            CalmSurface{object.mesh, object.geometry, object.calm->adjacency, 0});  // its noise follows below
         if (roughness(surface->adjacency, surface->geometry) > too_rough)
             surface->mesh = calm(object.mesh, surface->adjacency, surface->geometry, 1, too_rough).mesh;
         sharpen(surface->mesh, surface->geometry);
