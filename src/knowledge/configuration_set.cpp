@@ -48,8 +48,8 @@ struct ConfigurationSet::Conjunction {
     std::vector<int> literals;  ///< ascending
 
     [[nodiscard]] const Shares& shares() const {
-        std::call_once(once_, [&] { shares_ = diagram->shares(literals); });
-        return shares_;
+        std::call_once(once_, [&] { shares_ = diagram->remembered_shares(literals); });
+        return *shares_;
     }
     [[nodiscard]] bool is_empty() const {
         return asks_solver() ? !has_model_with({}) : std::isinf(shares().log2_total);
@@ -77,7 +77,7 @@ private:
     }
 
     mutable std::once_flag once_;
-    mutable Shares shares_;
+    mutable std::shared_ptr<const Shares> shares_;
     mutable std::atomic<int> single_questions_ = 0;
 };
 

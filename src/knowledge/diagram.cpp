@@ -3,9 +3,12 @@
    through each branch gives every literal its share at once (Darwiche, "A differential approach to inference in
    Bayesian networks", 2003). Literals that contradict the evidence are worth 0, others 1, or their weight.
 
-   The same sweep runs in two kinds of numbers: exact ones (GMP), and doubles with an exponent of their own, which
-   neither overflow nor vanish when there are more than 2^1000 configurations. Nothing is subtracted, so what is 0 is
-   exactly 0. Cost: Diagram::literal_count operations. */
+   The same sweep runs in three kinds of numbers: exact ones (GMP), doubles with an exponent of their own, which
+   neither overflow nor vanish when there are more than 2^1000 configurations, and plain doubles where counts of models
+   cannot get there. Nothing is subtracted, so what is 0 is exactly 0. Cost: Diagram::literal_count operations.
+
+   The same few conjunctions are asked about again and again (every window of a street has the same answers), so what a
+   sweep found is remembered. */
 
 #include "knowledge/diagram.h"
 
@@ -14,6 +17,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <mutex>
 #include <stdexcept>
 
 #include "knowledge/diagram_nodes.h"
@@ -58,6 +63,27 @@ private:
     int exponent_;
 };
 
+/// A count below 2^1000.
+class Plain {
+public:
+    Plain(double value = 0) : value_(value) {}
+    Plain& operator*=(const Plain& other) {
+        value_ *= other.value_;
+        return *this;
+    }
+    Plain& operator+=(const Plain& other) {
+        value_ += other.value_;
+        return *this;
+    }
+    void divide(const Plain& other) { value_ /= other.value_; }
+    [[nodiscard]] bool is_zero() const { return value_ == 0; }
+    [[nodiscard]] double log2() const { return std::log2(value_); }
+    [[nodiscard]] double share(const Plain& total) const { return is_zero() ? 0 : value_ / total.value_; }
+
+private:
+    double value_;
+};
+
 class Exact {
 public:
     Exact(long value = 0) : value_(value) {}
@@ -92,7 +118,7 @@ public:
         for (const LiteralWeight& each : weights) {
             if (!(each.weight >= 0) || std::isinf(each.weight))
                 throw std::invalid_argument("Diagram: the weight of a literal should be a number that is not negative");
-            if constexpr (std::is_same_v<Number, Scaled>) weights_[checked(each.literal)] *= Number(each.weight);
+            if constexpr (!std::is_same_v<Number, Exact>) weights_[checked(each.literal)] *= Number(each.weight);
         }
         for (const int literal : evidence) weights_[checked(-literal)] = Number(0);
         up_.reserve(nodes.nodes.size());
@@ -121,9 +147,9 @@ public:
         std::vector<Number> parts(weights_.size(), Number(0));
         if (total_.is_zero()) return parts;
         std::vector<Number> flows(up_.size(), Number(0)),
-            free(static_cast<std::size_t>(nodes_.variables) + 1, Number(0));
+            free(static_cast<std::size_t>(nodes_.variables) + 1, Number(0)), after;
         const auto pass_on = [&](const DiagramBranch& branch, const Number& flow) {
-            spread(branch, flow, parts, free, flows);
+            spread(branch, flow, parts, free, flows, after);
         };
         pass_on(nodes_.root, Number(1));
         for (std::size_t i = up_.size(); i-- > 0;) {
@@ -167,15 +193,16 @@ private:
         return product;
     }
 
+    /// `after` is room to work in.
     void spread(const DiagramBranch& branch, const Number& flow, std::vector<Number>& parts, std::vector<Number>& free,
-                std::vector<Number>& flows) const {
+                std::vector<Number>& flows, std::vector<Number>& after) const {
         if (branch.is_dead) return;
         Number outside = own_worth(branch);
         if (outside.is_zero()) return;
         outside *= flow;
         const std::span<const int> children = nodes_.children(branch);
         // A child gets what the branch is worth without it: all before it times all after it.
-        std::vector<Number> after(children.size() + 1, Number(1));
+        after.assign(children.size() + 1, Number(1));
         for (std::size_t i = children.size(); i-- > 0;) {
             after[i] = after[i + 1];
             after[i] *= up_[children[i]];
@@ -260,10 +287,42 @@ Count counted(bool has_model) {
     return {"0", -std::numeric_limits<double>::infinity()};
 }
 
+template <typename Number>
+Shares shares_of(const Diagram::Nodes& nodes, std::span<const int> evidence, std::span<const LiteralWeight> weights) {
+    const Sweep<Number> sweep(nodes, evidence, weights);
+    Shares shares{sweep.total().log2(), {}};
+    for (const Number& part : sweep.down()) shares.each.push_back(part.share(sweep.total()));
+    return shares;
+}
+
 }  // namespace
 
+/// Shares by evidence; forgotten all at once when they fill their room.
+class Diagram::Memory {
+public:
+    [[nodiscard]] std::shared_ptr<const Shares> find(const std::vector<int>& evidence) {
+        const std::scoped_lock lock(mutex_);
+        const auto found = known_.find(evidence);
+        return found == known_.end() ? nullptr : found->second;
+    }
+    void insert(std::vector<int> evidence, std::shared_ptr<const Shares> shares) {
+        const std::scoped_lock lock(mutex_);
+        const std::size_t size = shares->each.size();
+        if (numbers_ + size > most_numbers) known_.clear(), numbers_ = 0;
+        if (known_.emplace(std::move(evidence), std::move(shares)).second) numbers_ += size;
+    }
+
+private:
+    static constexpr std::size_t most_numbers = 4'000'000;  // 32 MB
+    std::mutex mutex_;
+    std::map<std::vector<int>, std::shared_ptr<const Shares>> known_;
+    std::size_t numbers_ = 0;
+};
+
+Diagram::Diagram() : memory_(std::make_shared<Memory>()) {}
+
 Diagram::Diagram(const Clauses& clauses, const DiagramOptions& options)
-    : nodes_(search_diagram(clauses, decision_order(clauses), options)) {}
+    : nodes_(search_diagram(clauses, decision_order(clauses), options)), memory_(std::make_shared<Memory>()) {}
 
 Diagram Diagram::sampled(const Clauses& clauses, std::string why, int variables) {
     Diagram diagram;
@@ -303,10 +362,18 @@ Shares Diagram::shares(std::span<const int> evidence, std::span<const LiteralWei
             if (each.weight == 0) certain.push_back(-each.literal);
         return sample_->shares(certain);
     }
-    const Sweep<Scaled> sweep(*nodes_, evidence, weights);
-    Shares shares{sweep.total().log2(), {}};
-    for (const Scaled& part : sweep.down()) shares.each.push_back(part.share(sweep.total()));
-    return shares;
+    constexpr int most_plain = 1000;  // variables: then no count reaches 2^1000
+    return weights.empty() && nodes_->variables <= most_plain ? shares_of<Plain>(*nodes_, evidence, {})
+                                                              : shares_of<Scaled>(*nodes_, evidence, weights);
+}
+
+std::shared_ptr<const Shares> Diagram::remembered_shares(const std::vector<int>& evidence) const {
+    std::shared_ptr<const Shares> found = memory_->find(evidence);
+    if (!found) {
+        found = std::make_shared<const Shares>(shares(evidence));
+        memory_->insert(evidence, found);
+    }
+    return found;
 }
 
 std::vector<std::vector<int>> Diagram::models(std::size_t limit, std::span<const int> evidence) const {

@@ -83,6 +83,8 @@ public:
     /// The same as shares of the whole, in double precision; each literal may have a weight (when sampled, only 0
     /// counts).
     [[nodiscard]] Shares shares(std::span<const int> evidence = {}, std::span<const LiteralWeight> weights = {}) const;
+    /// The same without weights, at once when it was asked before; safe for several threads. `evidence` ascends.
+    [[nodiscard]] std::shared_ptr<const Shares> remembered_shares(const std::vector<int>& evidence) const;
     /// The first `limit` models (in an order of the diagram's own, always the same), each as its true variables,
     /// ascending. Costs no more than (models) x (variables). Not when sampled: std::logic_error.
     [[nodiscard]] std::vector<std::vector<int>> models(std::size_t limit, std::span<const int> evidence = {}) const;
@@ -90,8 +92,10 @@ public:
     struct Nodes;
 
 private:
-    Diagram() = default;
+    class Memory;
+    Diagram();
     std::shared_ptr<const Nodes> nodes_;
+    std::shared_ptr<Memory> memory_;
     std::shared_ptr<const SampledModels> sample_;
 };
 

@@ -120,6 +120,29 @@ TEST(Diagram, CountsAndModelsAreThoseOfEveryAssignmentTried) {
     }
 }
 
+TEST(Diagram, WhatIsRememberedIsWhatASweepFinds) {
+    const unsigned seed = std::random_device()();
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    const Clauses clauses = local_theory(random, 400, 240, 3, 8);  // 6,000 evidences do not all fit into memory
+    const Diagram diagram(clauses);
+    const LiteralWeight neutral{1, 1};  // takes the road of scaled numbers
+    for (int i = 0; i < 6000; ++i) {
+        const int a = 1 + static_cast<int>(random() % 200), b = 201 + static_cast<int>(random() % 200);
+        const std::vector<int> evidence = random() % 4 == 0 ? std::vector<int>{-b, a} : std::vector<int>{a, b};
+        const auto remembered = diagram.remembered_shares(evidence);
+        if (i % 100 != 0) continue;
+        const Shares swept = diagram.shares(evidence, std::span(&neutral, 1));
+        ASSERT_NEAR(remembered->log2_total, swept.log2_total, 1e-9);
+        ASSERT_EQ(remembered, diagram.remembered_shares(evidence));
+        for (int v = 1; v <= diagram.variable_count(); ++v)
+            for (const int literal : {v, -v}) {
+                ASSERT_NEAR(remembered->of(literal), swept.of(literal), 1e-12);
+                ASSERT_EQ(remembered->is_possible(literal), swept.is_possible(literal));
+            }
+    }
+}
+
 TEST(Diagram, WeightsAreLikelihoods) {
     for (unsigned seed = 0; seed < 200; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
