@@ -4,7 +4,8 @@
 // sticks are one when they are in line and pass into each other over most of their common border, without a concave
 // crease; when one of them is a stump without a direction and they lie to both sides of a ring, like two halves of a
 // stick that was sawn through; or when they lie in the same place, as do the two pairs of walls of a stick whose edges
-// noise has torn open. Two boards are one when they lie in the same plane and pass into each other, as a board does
+// noise has torn open. They stay two where the thick one ends with a shoulder, as the handle of a screwdriver does: a
+// taper changes little in a short way. Two boards are one when they lie in the same plane and pass into each other, as a board does
 // whose one wall is parted by what stands on it. Whatever their kind, two parts without a dent between them are one
 // when each lies behind the surface of the other: a drum, its lid and its wall, is a convex solid, and people see parts
 // where a surface bends inward (the minima rule of Hoffman and Richards 1984).
@@ -177,6 +178,41 @@ bool is_same_place(const Lie& a, const Lie& b, double thickness) {
     const Vec3 way = b.inside - a.inside;
     const double along = way.dot(b.axis);
     return (way - along * b.axis).norm() < beside * thickness && std::abs(along) < (a.length + b.length) / 4;
+}
+
+/// Whether a stick ends with a shoulder where a long and much thinner one goes on, as the handle of a screwdriver does:
+/// so near to their border that a taper changes little, one is twice as far from the common axis as the other.
+bool is_shouldered(const Surface& s, const Parts& parts, const Border& common, std::int32_t a, std::int32_t b,
+                   const Lie& lie_a, const Lie& lie_b) {
+    constexpr double unlike = 1.8, twice = 2, long_enough = 4, nearest = 0.5, farthest = 2;
+    const bool a_is_thin = parts.parts[a].thickness < parts.parts[b].thickness;
+    const double thin = parts.parts[a_is_thin ? a : b].thickness, thick = parts.parts[a_is_thin ? b : a].thickness;
+    const Lie &slim = a_is_thin ? lie_a : lie_b, &stout = a_is_thin ? lie_b : lie_a;
+    if (thick < unlike * thin || slim.length < long_enough * thin) return false;
+    const Vec3 centre = common.centre(),
+               axis = slim.axis.dot(slim.middle - stout.middle) > 0 ? slim.axis : Vec3(-slim.axis);
+    struct Around {
+        double area = 0, radius = 0;
+    };
+    const auto mean_radius = [&](std::int32_t part, double side) {
+        const auto of_blocks = map_blocks(s.count(), s.threads, [&](std::size_t begin, std::size_t end) {
+            Around some;
+            for (std::size_t i = begin; i < end; ++i) {
+                if (parts.part_of[i] != part || std::abs(s.geometry.normals[i].dot(axis)) > 0.5) continue;
+                const Vec3 way = s.geometry.barycentres[i] - centre;
+                const double along = way.dot(axis);
+                if (side * along < nearest * thin || side * along > farthest * thin) continue;
+                some.area += s.geometry.areas[i];
+                some.radius += s.geometry.areas[i] * (way - along * axis).norm();
+            }
+            return some;
+        });
+        Around all;
+        for (const Around& some : of_blocks) all.area += some.area, all.radius += some.radius;
+        return all.area > 0 ? all.radius / all.area : 0;
+    };
+    const double beyond = mean_radius(a_is_thin ? a : b, 1), before = mean_radius(a_is_thin ? b : a, -1);
+    return beyond > 0 && before > twice * beyond;
 }
 
 using Borders = PairMap<Border>;
@@ -356,6 +392,7 @@ void merge_parts(const Surface& s, Parts& parts) {
                   goes_on(common, lie_of(a), lie_of(b), thin, thick)))
                 continue;
             if (!is_noisy && are_sticks && is_crossed(parts, borders, a, b, common, lie_of(b).axis)) continue;
+            if (are_sticks && is_shouldered(s, parts, common, a, b, lie_of(a), lie_of(b))) continue;
             seen.at(a, b) += area[a];
         }
         std::vector<std::int32_t> into(parts.parts.size(), -1);

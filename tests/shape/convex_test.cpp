@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+#include <random>
 #include <string>
 
 #include "shape/find_parts.h"
@@ -25,7 +28,8 @@ TEST_P(Solids, WithoutADentAreOnePart) {
     for (const double top : {1.0, 0.7, 0.4})
         for (double height = 0.1; height < 6; height *= 1.25) {
             SCOPED_TRACE("seed 31, top " + std::to_string(top) + ", height " + std::to_string(height));
-            expect_parts(1, solids::revolve({{0, 0}, {0.5, 0}, {0.5 * top, height}, {0, height}}, GetParam(), true), random);
+            expect_parts(1, solids::revolve({{0, 0}, {0.5, 0}, {0.5 * top, height}, {0, height}}, GetParam(), true),
+                         random);
         }
 }
 
@@ -41,6 +45,39 @@ TEST_P(Solids, OnABarAreAPartEach) {
             expect_parts(2, solids::revolve(mallet, GetParam(), true), random);
             expect_parts(3, solids::revolve(dumbbell, GetParam(), true), random);
         }
+}
+
+/// A round grip, narrower towards its end, that passes into a shaft by a fillet; finely meshed, as scans are.
+TriangleMesh screwdriver(double grip, double shaft, double length) {
+    const double end = 0.7 * grip, fillet = 0.3 * shaft;
+    solids::Outline corners{{0, 0}, {grip, 0}, {grip, 5 * grip}, {end, 6 * grip}};
+    for (double turn = 0; turn <= 90; turn += 30)
+        corners.emplace_back(shaft + fillet * (1 - std::sin(turn * std::numbers::pi / 180)),
+                             6 * grip + fillet * (1 - std::cos(turn * std::numbers::pi / 180)));
+    corners.insert(corners.end(), {{shaft, 6 * grip + length}, {0, 6 * grip + length}});
+    solids::Outline profile = solids::polygon(corners, 0.25 * shaft);
+    while (profile.back().x() == 0 && profile.back().y() < 6 * grip + length) profile.pop_back();
+    return solids::revolve(profile, 48, true);
+}
+
+TEST(Sticks, AreTwoWhereOneEndsWithAShoulderAndOneWhereTheyTaper) {
+    const unsigned seed = std::random_device()();
+    std::mt19937 random(seed);
+    for (int i = 0; i < 6; ++i) {
+        const double grip = std::uniform_real_distribution(3.5, 5.0)(random);
+        const double length = std::uniform_real_distribution(20.0, 40.0)(random);
+        SCOPED_TRACE("seed " + std::to_string(seed) + ", grip " + std::to_string(grip) + ", length " +
+                     std::to_string(length));
+        TriangleMesh driver = screwdriver(grip, 1, length);
+        shapes::turn(driver, shapes::random_turn(random));
+        EXPECT_EQ(find_parts(driver).size(), 2U);
+        solids::Outline cone =
+            solids::polygon({{0, 0}, {grip, 0}, {1, 6 * grip}, {1, 6 * grip + length}, {0, 6 * grip + length}}, 0.25);
+        while (cone.back().x() == 0 && cone.back().y() < 6 * grip + length) cone.pop_back();
+        TriangleMesh taper = solids::revolve(cone, 48, true);
+        shapes::turn(taper, shapes::random_turn(random));
+        EXPECT_EQ(find_parts(taper).size(), 1U);
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Sides, Solids, testing::Values(3, 4, 5, 6, 7, 12, 32),
