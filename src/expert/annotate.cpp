@@ -312,6 +312,18 @@ void trace_edits(Session& session, const FinalLabelling& labelling, double ms) {
     session.trace.push_back(std::move(entry));
 }
 
+/// Whether the regions are the parts of the cut: a derived `find all` may have found surfaces inside of them.
+bool has_regions_of(const Session& session, const Cut& cut) {
+    std::set<std::pair<std::int32_t, std::size_t>> parts;  // by lowest triangle and size
+    for (const auto& region : cut)
+        parts.emplace(region->part.region.triangles.front(), region->part.region.triangles.size());
+    for (int region = 0; region < session.region_count(); ++region) {
+        const std::vector<std::int32_t>& triangles = session.part(region).region.triangles;
+        if (!parts.contains({triangles.front(), triangles.size()})) return false;
+    }
+    return true;
+}
+
 /// The session of the likeliest cut, after all questions; `cut` becomes that one.
 std::unique_ptr<Session> ask_about_likeliest(const Domain& domain, const Catalogue& catalogue, const Object& object,
                                              Cut& cut, const AnnotateOptions& options) {
@@ -321,7 +333,7 @@ std::unique_ptr<Session> ask_about_likeliest(const Domain& domain, const Catalog
         return session;
     };
     std::unique_ptr<Session> session = asked(cut);
-    if (!options.mend || options.strategy != Strategy::expert || !session->has_own_find_all()) return session;
+    if (!options.mend || options.strategy != Strategy::expert || !has_regions_of(*session, cut)) return session;
     const auto start = std::chrono::steady_clock::now();
     const auto judge = [&](const Cut& other) {
         const std::unique_ptr<Session> trial = asked(other);

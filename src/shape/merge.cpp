@@ -5,10 +5,10 @@
 // crease; when one of them is a stump without a direction and they lie to both sides of a ring, like two halves of a
 // stick that was sawn through; or when they lie in the same place, as do the two pairs of walls of a stick whose edges
 // noise has torn open. They stay two where the thick one ends with a shoulder, as the handle of a screwdriver does: a
-// taper changes little in a short way. Two boards are one when they lie in the same plane and pass into each other, as a board does
-// whose one wall is parted by what stands on it. Whatever their kind, two parts without a dent between them are one
-// when each lies behind the surface of the other: a drum, its lid and its wall, is a convex solid, and people see parts
-// where a surface bends inward (the minima rule of Hoffman and Richards 1984).
+// taper changes little in a short way. Two boards are one when they lie in the same plane and pass into each other, as
+// a board does whose one wall is parted by what stands on it. Whatever their kind, two parts without a dent between
+// them are one when each lies behind the surface of the other: a drum, its lid and its wall, is a convex solid, and
+// people see parts where a surface bends inward (the minima rule of Hoffman and Richards 1984).
 //
 // Noise tears more. Then a piece of a stick also joins the one whose line it continues, whatever creases the noise has
 // made between them, and a bulge of a board joins the board that is all around it. Cost: O(n) a round; a round joins at
@@ -147,7 +147,8 @@ constexpr double noise_of_thickness = 1.5;  // ratio of thicknesses that noise a
 /// Whether a piece of a stick lies where the line of a longer one goes on, and their sections meet: all of them where
 /// the two are not alike in thickness.
 bool goes_on(const Border& border, const Lie& piece, const Lie& stick, double thin, double thick) {
-    constexpr double beside = 0.35, across = 0.7, least_section = 0.3, least_alike = 0.1;
+    constexpr double beside = 0.35, across = 0.7, least_section = 0.3, least_alike = 0.1, stump = 2, in_line = 0.5;
+    if (piece.length > stump * thick && std::abs(piece.axis.dot(stick.axis)) < in_line) return false;  // the bar of a T
     const Vec3 area = border.area();
     const bool is_alike = thick < noise_of_thickness * thin;
     if (area.norm() < (is_alike ? least_alike * thin * thin : least_section * thick * thick)) return false;

@@ -1,4 +1,5 @@
-// Solids without a dent are one part, whatever their proportions, and so are those of which larger things are made.
+// Solids without a dent are one part, whatever their proportions, and so are those of which larger things are made; and
+// sticks that meet, in line or across.
 
 #include <gtest/gtest.h>
 
@@ -77,6 +78,42 @@ TEST(Sticks, AreTwoWhereOneEndsWithAShoulderAndOneWhereTheyTaper) {
         TriangleMesh taper = solids::revolve(cone, 48, true);
         shapes::turn(taper, shapes::random_turn(random));
         EXPECT_EQ(find_parts(taper).size(), 1U);
+    }
+}
+
+/// Each vertex becomes the mean of its neighbours, some times over: edges are rounded, corners filled.
+void round_off(TriangleMesh& mesh, int times) {
+    for (int time = 0; time < times; ++time) {
+        std::vector<Vec3> sums(mesh.positions.size(), Vec3::Zero());
+        std::vector<double> counts(mesh.positions.size(), 0);
+        for (const auto& t : mesh.triangles)
+            for (std::size_t k = 0; k < 3; ++k) {
+                const auto v = static_cast<std::size_t>(t[k]);
+                sums[v] += mesh.positions[static_cast<std::size_t>(t[(k + 1) % 3])] +
+                           mesh.positions[static_cast<std::size_t>(t[(k + 2) % 3])];
+                counts[v] += 2;
+            }
+        for (std::size_t v = 0; v < sums.size(); ++v) mesh.positions[v] = sums[v] / counts[v];
+    }
+}
+
+TEST(Sticks, AcrossTheEndOfAnotherOneAreNotOneWithIt) {
+    const unsigned seed = std::random_device()();
+    std::mt19937 random(seed);
+    for (int i = 0; i < 6; ++i) {
+        const double handle = std::uniform_real_distribution(8.0, 14.0)(random);
+        const double head = std::uniform_real_distribution(2.0, 3.0)(random);
+        const double thick = std::uniform_real_distribution(0.95, 1.15)(random);
+        SCOPED_TRACE("seed " + std::to_string(seed) + ", handle " + std::to_string(handle) + ", head " +
+                     std::to_string(head) + ", thick " + std::to_string(thick));
+        TriangleMesh hammer =
+            shapes::join({{Vec3(-0.5, -0.5, 0), Vec3(0.5, 0.5, handle), 0},
+                          {Vec3(-head, -thick / 2, handle), Vec3(head, thick / 2, handle + thick), 1}},
+                         0.12)
+                .mesh;
+        round_off(hammer, 12);
+        shapes::turn(hammer, shapes::random_turn(random));
+        EXPECT_GE(find_parts(hammer).size(), 2U);  // the handle may go through the head and halve it
     }
 }
 
