@@ -112,6 +112,38 @@ TEST(FinalLabelling, TheOntologyDecidesWhetherACollarIsAPart) {
               (std::map<std::string, int>{{"Top", 1}, {"Leg", 4}, {"-", 4}}));
 }
 
+TEST(FinalLabelling, WordsOfOnesOwnInsteadOfShapesServeAsWell) {
+    const Domain own(R"(
+Prefix: : <http://example.org/t#>
+Prefix: core: <https://w3id.org/partonomy/core#>
+Prefix: owl: <http://www.w3.org/2002/07/owl#>
+Prefix: xsd: <http://www.w3.org/2001/XMLSchema#>
+Ontology: <http://example.org/t>
+    Import: <https://w3id.org/partonomy/core>
+Class: :Build
+    SubClassOf: core:Feature
+    DisjointUnionOf: :Slim, :Broad
+Class: :Slim
+    Annotations: core:measure "l1/l0", core:membership "-inf -inf 0.3 0.5", core:question "is it slim"
+Class: :Broad
+    Annotations: core:measure "l1/l0", core:membership "0.3 0.5 inf inf", core:question "is it broad"
+ObjectProperty: :hasBuild
+    Characteristics: Functional
+    Range: :Build
+Class: :Top
+    EquivalentTo: core:Region and (:hasBuild some :Broad) and (core:length some xsd:double[>= 0.5])
+Class: :Leg
+    EquivalentTo: core:Region and (:hasBuild some :Slim) and (core:hasPosition some core:Down)
+Class: :Table
+    EquivalentTo: core:Object and (core:hasPart some :Top) and (core:hasPart min 3 :Leg)
+)");
+    const ExampleObject table = table_with_collars();
+    const Annotation joined = annotate(own.domain, own.catalogue, make_object(table.mesh, {}));
+    EXPECT_EQ(counts(joined), (std::map<std::string, int>{{"Top", 1}, {"Leg", 4}}));
+    EXPECT_TRUE(is_mended(joined));
+    EXPECT_GT(share_right(table, joined, "Leg"), 0.99);
+}
+
 TEST(FinalLabelling, IsTheSameOnTwoThreadsAndCountsWhatItAsked) {
     const ExampleObject table = table_with_collars();
     const Object object = make_object(table.mesh, {});
