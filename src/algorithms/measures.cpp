@@ -15,6 +15,7 @@
 
 #include "algorithms/appearance.h"
 #include "algorithms/form.h"
+#include "algorithms/stance.h"
 #include "base/errors.h"
 #include "shape/corners.h"
 #include "shape/oriented_box.h"

@@ -60,8 +60,8 @@ struct Object {
     std::shared_ptr<const RayTree> tree;   ///< of the mesh
     mutable std::optional<double> length;  ///< of the smallest box around all of it, once a question needed it
     mutable std::optional<double> area;    ///< of its surface, the same
-    mutable std::optional<Vec3> sideways;  ///< as it stands, the same: sideways_of
-    mutable std::optional<double> level;   ///< as it stands, the same: main_level
+    mutable std::optional<Vec3> sideways;  ///< the same: sideways_of
+    mutable std::optional<double> level;   ///< the same: main_level
     mutable std::shared_ptr<const CalmSurface> calm;   ///< once a question needed it: calm_surface
     mutable std::shared_ptr<const CalmSurface> sharp;  ///< the same: surface_of
     std::shared_ptr<const Appearance> appearance;      ///< null: no colours, or nothing asks for them; see paint
@@ -107,16 +107,6 @@ struct RegionMeasurements {
 
 /// `part` is one of the object's candidates, and must outlive the result.
 [[nodiscard]] RegionMeasurements measure_region(const Object& object, const PartRegion& part);
-
-/// From one side of an object with a back, such as a chair, to the other: a horizontal unit vector, or zero where there
-/// is no back. What is high lies behind what is low: across the horizontal direction in which height grows. Found the
-/// first time that it is asked for.
-[[nodiscard]] const Vec3& sideways_of(const Object& object);
-
-/// How high, above the object's lowest point and in file units, most of the surface that looks up lies: the seat of a
-/// chair, the top of a table. Of two levels with nearly as much the higher one. Found the first time that it is asked
-/// for.
-[[nodiscard]] double main_level(const Object& object);
 
 /// Shoots some rays up and down, the first time that it is called for a region.
 [[nodiscard]] const Surroundings& look_around(const Object& object, const RegionMeasurements& region);
