@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "base/files.h"
+#include "base/heap.h"
 #include "bench/bench_hermit.h"
 #include "bench/bench_knowledge.h"
 #include "bench/bench_relations.h"
@@ -136,6 +137,7 @@ void bench_find_parts(const std::string& name, const TriangleMesh& mesh) {
 
 int main(int count, char** arguments) {
     using namespace partonomy;
+    keep_freed_memory();  // as the program does
     if (count > 1 && std::string(arguments[1]) == "scale") {
         bench::bench_scale();
         return 0;
