@@ -208,7 +208,7 @@ void absorb_rims(const Surface& s, const std::vector<Board>& boards, Parts& part
 /// below become sticks of their own.
 void cut_at_boards(const Surface& s, const std::vector<Board>& boards, Parts& parts) {
     constexpr double crossing = 0.3, most_beside = 0.7;
-    const double long_enough = s.grain > 0 ? 20 : 8;  // surface in squares of the thickness: length is five, two
+    constexpr double long_enough = 8;  // surface in squares of the thickness: length is two
     for (const auto& [b, fit] : boards) {
         const Frame& plane = fit.frame;
         const std::size_t existing = parts.parts.size();
@@ -266,7 +266,7 @@ public:
     void grow(std::int32_t number, const PlaneFit& fit) {
         board_ = number;
         const Core& board = parts_.parts[number];
-        flat_ = fit.deviation < planar * board.thickness;
+        flat_ = fit.deviation < planar * board.thickness || (s_.grain > 0 && fit.deviation < like_noise * fit.spread);
         exact_ = fit.deviation < 0.01 * board.thickness && fit.spread < 0.03 * board.thickness;
         plane_ = fit.frame;
         reach_ = board.family >= 0 ? short_reach : exact_ ? std::numeric_limits<double>::infinity() : reach;
@@ -394,6 +394,7 @@ private:
             const Vec3 way = s_.geometry.barycentres[j] - s_.geometry.barycentres[from];
             const bool concave = way.dot(s_.geometry.normals[from]) > 0;
             if (concave && s_.geometry.normals[from].dot(s_.geometry.normals[j]) < crease) return;
+            if (s_.in_crease(j)) return;
             const double u = (s_.geometry.barycentres[j] - f.middle).dot(f.normal);
             if (std::abs(u) > (flat_ ? room_ : f.half * loose)) return;
         }
@@ -404,6 +405,9 @@ private:
     }
 
     static constexpr double planar = 0.12;  // of the thickness: less deviation from a plane is none
+    /// Noise moves the two walls by themselves, so it spreads the thickness as much as it does the middle; a bend does
+    /// not.
+    static constexpr double like_noise = 1.5;
     static constexpr double exact = 1.02, loose = 1.1, most_noise = 0.35;
     static constexpr double reach = 4;  // thicknesses beyond the last sure place, unless both walls are true planes
     static constexpr double short_reach = 1;  // where narrow boards go on in the same plane

@@ -33,6 +33,12 @@ void merge_parts(const Surface& surface, Parts& parts);
 /// that have become parts are passed.
 void fill(const Surface& surface, const Groups& free_pieces, Parts& parts);
 
+/// Joins pieces that are one box within the noise of the mesh, which tore them apart.
+void rejoin_torn_parts(const Surface& surface, Parts& parts);
+
+/// Gives the corner where two sticks meet end to end to the level one.
+void give_corners_to_level_sticks(const Surface& surface, const Vec3& up, Parts& parts);
+
 /// Moves the borders between parts to creases nearby.
 void settle_borders(const Surface& surface, Parts& parts);
 

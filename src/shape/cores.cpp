@@ -171,7 +171,7 @@ std::vector<Core> divide(const Surface& s, std::vector<Core> components, double 
 /// Whether what is a stick here and there is one on the whole: noise joins walls that have nothing to do with each
 /// other.
 bool is_slim(const Surface& s, const Core& stick) {
-    constexpr double widest = 1.2;  // thicknesses from the axis, as root of the mean square
+    const double widest = s.grain > 0 ? 0.8 : 1.2;  // thicknesses from the axis, as root of the mean square
     Vec3 middle = Vec3::Zero();
     for (const std::int32_t i : stick.triangles) middle += s.geometry.areas[i] * s.geometry.barycentres[i];
     middle /= stick.area;
@@ -190,7 +190,8 @@ Cores find_cores(const Surface& s) {
     for (const Core& core : cores)
         for (const std::int32_t i : core.triangles) taken[i] = 1;
     // Walls that are not parallel, such as those of a stick with three sides, in what is left.
-    for (Core& core : divide(s, find_components(s, taken, {slanted_cosine, 4}), total, 4, true))
+    const double least_cubes = s.grain > 0 ? 2 : 4;  // surface in squares of the thickness; noise takes some away
+    for (Core& core : divide(s, find_components(s, taken, {slanted_cosine, 4}), total, least_cubes, true))
         if (core.kind == Solidity::stick && is_slim(s, core)) cores.push_back(std::move(core));
     std::stable_sort(cores.begin(), cores.end(), [](const Core& a, const Core& b) { return a.area > b.area; });
     Cores result{std::move(cores), std::vector<std::int32_t>(s.count(), -1)};

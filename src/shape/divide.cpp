@@ -2,7 +2,8 @@
 //
 // Idea: the cells of a component (cells.cpp) vote with their neighbours whether they are board or stick, and which way
 // a stick runs. Neighbouring cells that agree are one piece; where they do not, the component is cut: posts come off
-// the backrest that they carry, a leg off its stretcher, and slats off their rail (narrow_boards.cpp). Pieces too small
+// the backrest that they carry, a leg off its stretcher, a seat off the back that it bends up into (bends.cpp), and
+// slats off their rail (narrow_boards.cpp). Pieces too small
 // for a part join a neighbour. Cost: O(n) and the square of the number of cells around a cell.
 
 #include "shape/divide.h"
@@ -15,6 +16,7 @@
 #include <numeric>
 
 #include "base/ranges.h"
+#include "shape/bends.h"
 #include "shape/narrow_boards.h"
 
 namespace partonomy {
@@ -40,12 +42,13 @@ public:
         spread(component);
         smooth();
         const bool has_narrow = tell_narrow_boards(cells_);
-        Sets sets(cells_.size());
-        for (std::size_t a = 0; a < cells_.size(); ++a)
-            for (const std::int32_t b : cells_[a].neighbours)
-                if (same_part(cells_[a], cells_[b], slanted_)) sets.join(static_cast<std::int32_t>(a), b);
-        if (has_narrow)
-            parted_ = part_narrow_boards({s_, component, seeds_, cells_, cell_of_, component_of_, own_}, sets);
+        const CellMap map{s_, component, seeds_, cells_, cell_of_, component_of_, own_};
+        Sets sets = join_alike(std::vector<std::int32_t>(cells_.size(), 0));
+        if (!slanted_) {
+            const std::vector<std::int32_t> sides = tell_sides_of_bends(map, sets);
+            if (std::ranges::any_of(sides, [](std::int32_t side) { return side > 0; })) sets = join_alike(sides);
+        }
+        if (has_narrow) parted_ = part_narrow_boards(map, sets);
         absorb_small(sets, component);
         emit(component, sets, out);
     }
@@ -154,6 +157,16 @@ private:
     static bool same_part(const Cell& a, const Cell& b, bool slanted) {
         if (a.kind != b.kind || a.is_narrow != b.is_narrow || a.is_junction || b.is_junction) return false;
         return slanted || a.kind != Solidity::stick || std::abs(a.along.dot(b.along)) > turn_cosine;
+    }
+
+    /// Neighbours that are alike, and on the same side of a bend.
+    [[nodiscard]] Sets join_alike(const std::vector<std::int32_t>& sides) const {
+        Sets sets(cells_.size());
+        for (std::size_t a = 0; a < cells_.size(); ++a)
+            for (const std::int32_t b : cells_[a].neighbours)
+                if (sides[a] == sides[b] && same_part(cells_[a], cells_[b], slanted_))
+                    sets.join(static_cast<std::int32_t>(a), b);
+        return sets;
     }
 
     /// Pieces too small to be a part join the neighbour with the longest common border.

@@ -338,7 +338,7 @@ Encounters count_encounters(const Surface& s, const Parts& parts) {
 
 void merge_parts(const Surface& s, Parts& parts) {
     constexpr double facing = 0.4, surrounded = 0.8, exactly_alike = 1.25, far_unlike = 4, all_around = 0.95,
-                     mostly = 0.8;
+                     mostly = 0.8, mostly_free = 0.5;
     const bool is_noisy = s.grain > 0;
     const double unlike = is_noisy ? 2.5 : 1.8;
     for (bool changed = true; changed;) {
@@ -377,7 +377,10 @@ void merge_parts(const Surface& s, Parts& parts) {
                     seen.at(a, b) += area[a];
                 continue;
             }
-            const bool alike = thick < unlike * thin && !(is_noisy && is_step(common, thin, thick));
+            // Before the parts are filled, their border is but a piece of the ring that would tell a step.
+            const bool is_ring = !is_noisy || free[a] < mostly_free * (border[a] + free[a]);
+            const bool alike =
+                thick < (is_ring ? unlike : noise_of_thickness) * thin && !(is_noisy && is_step(common, thin, thick));
             // Sticks in line meet all around, not only where noise lets their cores touch; unless they are alike in
             // thickness, nothing but a whole ring will do.
             const bool meet = common.smooth > 0.5 * border[a] && common.smooth > (alike ? 2 : 3) * thin;
@@ -387,7 +390,7 @@ void merge_parts(const Surface& s, Parts& parts) {
                            (alike && is_sawn(common, lie_of(a), lie_of(b), thin)))) &&
                 !(alike && is_same_place(lie_of(a), lie_of(b), thin)) &&
                 !(are_sticks &&
-                  (is_noisy ? thick < far_unlike * thin
+                  (is_noisy ? thick < (is_ring ? far_unlike : noise_of_thickness) * thin
                             : thick < exactly_alike * thin && common.smooth > mostly * common.length &&
                                   is_section(common, lie_of(a), area[a]) && is_section(common, lie_of(b), area[b])) &&
                   goes_on(common, lie_of(a), lie_of(b), thin, thick)))

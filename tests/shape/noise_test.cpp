@@ -135,9 +135,9 @@ INSTANTIATE_TEST_SUITE_P(
     Kinds, OtherShapesUnderNoise,
     testing::Values(OtherShape{"ThinBoard", {{Vec3(0, 0, 0), Vec3(1, 0.7, 0.05), 0}}},
                     OtherShape{"ThinStick", {{Vec3(0, 0, 0), Vec3(1, 0.08, 0.08), 0}}},
-                    OtherShape{"CubeOnCube",
-                               {{Vec3(0, 0, 0), Vec3(0.6, 0.6, 0.6), 0},
-                                {Vec3(0.15, 0.15, 0.6), Vec3(0.45, 0.45, 0.9), 1}}},
+                    OtherShape{
+                        "CubeOnCube",
+                        {{Vec3(0, 0, 0), Vec3(0.6, 0.6, 0.6), 0}, {Vec3(0.15, 0.15, 0.6), Vec3(0.45, 0.45, 0.9), 1}}},
                     OtherShape{"BoardOnBoard",
                                {{Vec3(0, 0, 0), Vec3(1, 0.6, 0.1), 0}, {Vec3(0.45, 0, 0.1), Vec3(0.55, 0.6, 0.8), 1}}},
                     OtherShape{"FlushBoards",
@@ -148,6 +148,71 @@ INSTANTIATE_TEST_SUITE_P(
                                 {Vec3(0.86, 0, 0), Vec3(1, 0.14, 0.6), 2},
                                 {Vec3(0, 0.56, 0), Vec3(0.14, 0.7, 0.6), 3},
                                 {Vec3(0.86, 0.56, 0), Vec3(1, 0.7, 0.6), 4}}}),
+    [](const auto& shape) { return std::string(shape.param.name); });
+
+struct TornShape {
+    const char* name;
+    void (*add)(TriangleMesh&, double, std::mt19937&);
+    unsigned seed;
+    double step;
+    std::vector<shapes::Block> blocks;
+};
+
+class NoiseDoesNotTear : public testing::TestWithParam<TornShape> {};
+
+/// Each was cut into too many parts or too few once, or into parts with the wrong corner.
+TEST_P(NoiseDoesNotTear, ThePart) {
+    const Labelled clean = shapes::join(GetParam().blocks, GetParam().step);
+    std::mt19937 random(GetParam().seed);
+    TriangleMesh mesh = clean.mesh;
+    GetParam().add(mesh, 0.01, random);
+    const std::vector<PartRegion> regions = find_parts(mesh);
+    EXPECT_EQ(regions.size(), GetParam().blocks.size());
+    std::size_t good = 0;
+    for (const PartRegion& region : regions) {
+        std::map<int, std::size_t> votes;
+        std::size_t most = 0;
+        for (const std::int32_t t : region.region.triangles)
+            most = std::max(most, ++votes[clean.parts[static_cast<std::size_t>(t)]]);
+        good += most;
+    }
+    EXPECT_GE(static_cast<double>(good) / static_cast<double>(mesh.triangles.size()), 0.97);
+}
+
+const std::vector<shapes::Block> l_of_sticks{{Vec3(0, 0, 0), Vec3(1, 0.15, 0.15), 0},
+                                             {Vec3(0, 0, 0.15), Vec3(0.15, 0.15, 0.8), 1}};
+const std::vector<shapes::Block> table_with_inset_legs{{Vec3(0, 0, 0.6), Vec3(1, 0.7, 0.7), 0},
+                                                       {Vec3(0.05, 0.05, 0), Vec3(0.17, 0.17, 0.6), 1},
+                                                       {Vec3(0.83, 0.05, 0), Vec3(0.95, 0.17, 0.6), 2},
+                                                       {Vec3(0.05, 0.53, 0), Vec3(0.17, 0.65, 0.6), 3},
+                                                       {Vec3(0.83, 0.53, 0), Vec3(0.95, 0.65, 0.6), 4}};
+
+INSTANTIATE_TEST_SUITE_P(
+    Shapes, NoiseDoesNotTear,
+    testing::Values(
+        TornShape{"Stick", add_waves, 316, 0.015, {{Vec3(0, 0, 0), Vec3(1, 0.08, 0.08), 0}}},
+        TornShape{"TOfSticks",
+                  add_waves,
+                  306,
+                  0.015,
+                  {{Vec3(0, 0, 0), Vec3(1, 0.15, 0.15), 0}, {Vec3(0.45, 0, 0.15), Vec3(0.6, 0.15, 0.8), 1}}},
+        TornShape{"LOfSticksInWaves", add_waves, 320, 0.015, l_of_sticks},
+        TornShape{"LOfSticksInGrains", add_grains, 320, 0.015, l_of_sticks},
+        TornShape{"CubeOnCube",
+                  add_waves,
+                  404,
+                  0.015,
+                  {{Vec3(0, 0, 0), Vec3(0.6, 0.6, 0.6), 0}, {Vec3(0.15, 0.15, 0.6), Vec3(0.45, 0.45, 0.9), 1}}},
+        TornShape{"LegOfATable", add_waves, 305, 0.015, table_with_inset_legs},
+        TornShape{"AnotherLegOfATable", add_waves, 320, 0.015, table_with_inset_legs},
+        TornShape{"BoardBesideACube",
+                  add_waves,
+                  305,
+                  0.022,
+                  {{Vec3(0, 0, 0), Vec3(1, 1, 1), cube},
+                   {Vec3(0.1, 0.7, 1), Vec3(0.9, 0.9, 1.7), upright},
+                   {Vec3(1, 0.1, 0.5), Vec3(1.5, 0.9, 0.64), level},
+                   {Vec3(0.1, 0.1, -0.8), Vec3(0.4, 0.4, 0), stick}}}),
     [](const auto& shape) { return std::string(shape.param.name); });
 
 TEST(NoisyMesh, IsCutTheSameOnAnyNumberOfThreads) {
