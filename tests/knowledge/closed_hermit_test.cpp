@@ -102,7 +102,12 @@ TEST(ClosedWorldHermit, AgreesOnRandomKnowledgeBases) {
     EXPECT_EQ(disagreements, 0U);
     if (wanted >= 1200) {
         EXPECT_GE(judged, 1000U);
-        for (const std::string& construct : closed_random::all_constructs(false))
+        std::pair<int, std::string> rarest{judged, ""};
+        for (const std::string& construct : closed_random::all_constructs(false)) {
             EXPECT_GT(census[construct], 0) << construct;
+            rarest = std::min(rarest, {census[construct], construct});
+        }
+        std::cout << "the rarest of " << closed_random::all_constructs(false).size() << " constructs: " << rarest.second
+                  << ", " << rarest.first << " times\n";
     }
 }

@@ -435,6 +435,118 @@ Axiom Generator::axiom() {
     }
 }
 
+Axiom Generator::fact(AxiomKind kind, const Iri& about) {
+    Axiom made{};
+    made.kind = kind;
+    made.individuals = {about};
+    return made;
+}
+
+/// A class with a key over numbers or text, and two members that have the same value of it, mostly.
+void Generator::key_of_two(std::vector<Axiom>& axioms) {
+    const Iri first = individual(), second = individual();
+    Axiom key{};
+    key.kind = AxiomKind::has_key;
+    key.classes = {named(klass())};
+    key.properties = {data_property()};
+    static const char* texts[] = {"", "a", "ab"};
+    const bool is_text = !shape_.small_data && chance(50);
+    const auto value = [&] {
+        return is_text ? Literal{texts[below(3)], xsd + "string", ""} : number_literal("integer");
+    };
+    const Literal shared = value();
+    for (const Iri& each : {first, second}) {
+        axioms.push_back(fact(AxiomKind::class_assertion, each));
+        axioms.back().classes = key.classes;
+        axioms.push_back(fact(AxiomKind::data_property_assertion, each));
+        axioms.back().properties = key.properties;
+        axioms.back().literal = chance(80) ? shared : value();
+    }
+    axioms.push_back(std::move(key));
+}
+
+/// The N-ary Relation pattern: what is the target (p0) of a node of which one or two other things are references (p1).
+void Generator::relation(std::vector<Axiom>& axioms) {
+    const PropertyExpression target{numbered_iri('p', 0), false}, reference{numbered_iri('p', 1), false};
+    const Iri node = individual();
+    const ClassPointer kind = named(klass());
+    axioms.push_back(fact(AxiomKind::class_assertion, node));
+    axioms.back().classes = {kind};
+    const bool is_ternary = chance(50);
+    for (int i = 0; i < (is_ternary ? 3 : 2); ++i) {
+        axioms.push_back(fact(AxiomKind::object_property_assertion, individual()));
+        axioms.back().properties = {i == 0 ? target : reference};
+        axioms.back().individuals.push_back(node);
+    }
+    std::vector<ClassPointer> node_is{kind};
+    const auto refers_to = [&](ClassKind how, unsigned number) {
+        node_is.push_back(make(how, [&](ClassExpression& e) {
+            e.property = {reference.iri, true};
+            e.number = number;
+            e.operands = {expression(1)};
+        }));
+    };
+    if (is_ternary && chance(50)) {
+        refers_to(ClassKind::min_cardinality, 2);
+    } else {
+        refers_to(ClassKind::some_values_from, 0);
+        if (is_ternary) refers_to(ClassKind::some_values_from, 0);
+    }
+    Axiom definition{};
+    definition.kind = AxiomKind::equivalent_classes;
+    definition.classes = {
+        named(klass()), make(ClassKind::some_values_from, [&](ClassExpression& e) {
+            e.property = target;
+            e.operands = {make(ClassKind::intersection_of, [&](ClassExpression& both) { both.operands = node_is; })};
+        })};
+    axioms.push_back(std::move(definition));
+}
+
+/// A thing whose parts (p0) are all told, of a class that counts them; and a class of what is a part of such a thing.
+void Generator::whole(std::vector<Axiom>& axioms) {
+    const PropertyExpression has_part{numbered_iri('p', 0), false};
+    const Iri self = individual();
+    const std::vector<Iri> parts = some_individuals(1, 3);
+    for (const Iri& part : parts) {
+        axioms.push_back(fact(AxiomKind::object_property_assertion, self));
+        axioms.back().properties = {has_part};
+        axioms.back().individuals.push_back(part);
+    }
+    if (parts.size() > 1 && chance(70)) {
+        axioms.push_back(fact(AxiomKind::different_individuals, parts[0]));
+        axioms.back().individuals = parts;
+    }
+    axioms.push_back(fact(AxiomKind::class_assertion, self));
+    axioms.back().classes = {make(ClassKind::all_values_from, [&](ClassExpression& only) {
+        only.property = has_part;
+        only.operands = {make(ClassKind::one_of, [&](ClassExpression& e) { e.individuals = parts; })};
+    })};
+    const auto counted = [&](ClassKind kind, unsigned number) {
+        return make(kind, [&](ClassExpression& e) {
+            e.property = has_part;
+            e.number = number;
+            e.operands = {named(klass())};
+        });
+    };
+    const Iri kind = klass();
+    Axiom definition{};
+    definition.kind = AxiomKind::equivalent_classes;
+    definition.classes = {named(kind), make(ClassKind::intersection_of, [&](ClassExpression& e) {
+                              e.operands = {counted(ClassKind::min_cardinality, below(3)),
+                                            counted(ClassKind::max_cardinality, 1 + below(3))};
+                          })};
+    axioms.push_back(std::move(definition));
+    Axiom part{};
+    part.kind = AxiomKind::sub_class_of;
+    part.classes = {make(ClassKind::some_values_from,
+                         [&](ClassExpression& e) {
+                             e.property = {has_part.iri, true};
+                             e.operands = {named(kind)};
+                         }),
+                    expression(1)};
+    axioms.push_back(std::move(part));
+}
+
 knowledge::ClosedWorld Generator::world() {
     knowledge::ClosedWorld result;
     Ontology& ontology = result.ontology;
@@ -451,6 +563,9 @@ knowledge::ClosedWorld Generator::world() {
     }
     std::ranges::sort(ontology.entities, {}, &Entity::iri);
     while (ontology.axioms.size() < shape_.axioms) ontology.axioms.push_back(axiom());
+    if (chance(20)) key_of_two(ontology.axioms);
+    if (!shape_.small_data && chance(20)) relation(ontology.axioms);
+    if (!shape_.small_data && chance(20)) whole(ontology.axioms);
     for (std::size_t i = 0; i < ontology.axioms.size(); ++i)
         ontology.axioms[i].source = {"kb", static_cast<long>(i) + 1};
     const unsigned style = below(3);
@@ -467,8 +582,49 @@ void count(const DataRange& range, Census& census) {
     for (const DataRange& operand : range.operands) count(operand, census);
 }
 
+/// How many things a class of nodes refers to: "Kind and (inverse p some A) and (inverse p min 2 B)" to three.
+unsigned references(const ClassExpression& node) {
+    unsigned sum = 0;
+    if (node.kind == ClassKind::intersection_of)
+        for (const ClassPointer& each : node.operands)
+            if (each->property.inverse)
+                sum += each->kind == ClassKind::some_values_from  ? 1
+                       : each->kind == ClassKind::min_cardinality ? each->number
+                                                                  : 0;
+    return sum;
+}
+
+bool is_whole(const ClassExpression& expression) {
+    return expression.kind == ClassKind::intersection_of && expression.operands.size() == 2 &&
+           expression.operands[0]->kind == ClassKind::min_cardinality &&
+           expression.operands[1]->kind == ClassKind::max_cardinality &&
+           expression.operands[0]->property == expression.operands[1]->property;
+}
+
+/// Whether `key` binds two individuals that were told to be members, of which the same value was told.
+bool binds(const Axiom& key, const Ontology& ontology, bool text) {
+    std::map<std::string, std::set<Iri>> having;  // by value
+    const auto is_member = [&](const Iri& who) {
+        return std::ranges::any_of(ontology.axioms, [&](const Axiom& axiom) {
+            return axiom.kind == AxiomKind::class_assertion && axiom.individuals[0] == who &&
+                   axiom.classes[0]->kind == ClassKind::named && key.classes[0]->kind == ClassKind::named &&
+                   axiom.classes[0]->iri == key.classes[0]->iri;
+        });
+    };
+    for (const Axiom& axiom : ontology.axioms)
+        if (axiom.kind == AxiomKind::data_property_assertion && key.properties.size() == 1 &&
+            axiom.properties[0] == key.properties[0] && (axiom.literal.datatype == xsd + "string") == text &&
+            is_member(axiom.individuals[0]))
+            having[axiom.literal.value].insert(axiom.individuals[0]);
+    return std::ranges::any_of(having, [](const auto& each) { return each.second.size() > 1; });
+}
+
 void count(const ClassExpression& expression, Census& census) {
     ++census[numbered("class", expression.kind)];
+    if (expression.kind == ClassKind::some_values_from)
+        if (const unsigned others = references(*expression.operands[0]); others == 1 || others == 2)
+            ++census["relation of arity " + std::to_string(others + 1)];
+    if (is_whole(expression)) ++census["whole"];
     if (expression.property.inverse) ++census["inverse"];
     for (const ClassPointer& operand : expression.operands) count(*operand, census);
     if (expression.kind >= ClassKind::data_some_values_from) count(expression.range, census);
@@ -484,6 +640,9 @@ void count(const knowledge::ClosedWorld& world, Census& census) {
             count(axiom.range, census);
         if (axiom.kind == AxiomKind::sub_object_property_of && axiom.properties.size() > 2)
             ++census["chain of " + std::to_string(axiom.properties.size() - 1)];
+        for (const bool text : {false, true})
+            if (axiom.kind == AxiomKind::has_key && binds(axiom, world.ontology, text))
+                ++census[text ? "key over text" : "key over numbers"];
         if (axiom.rule == nullptr) continue;
         for (const auto* side : {&axiom.rule->body, &axiom.rule->head})
             for (const RuleAtom& atom : *side) {
@@ -494,7 +653,8 @@ void count(const knowledge::ClosedWorld& world, Census& census) {
 }
 
 std::vector<std::string> all_constructs(bool built_ins) {
-    std::vector<std::string> result{"inverse", "chain of 2", "chain of 3"};
+    std::vector<std::string> result{"inverse",       "chain of 2",          "chain of 3",          "key over numbers",
+                                    "key over text", "relation of arity 2", "relation of arity 3", "whole"};
     for (int kind = 0; kind < class_kinds; ++kind) result.push_back(numbered("class", kind));
     for (int kind = 0; kind < axiom_kinds; ++kind) result.push_back(numbered("axiom", kind));
     for (int kind = 0; kind < range_kinds; ++kind) result.push_back(numbered("range", kind));

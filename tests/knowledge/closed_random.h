@@ -50,6 +50,12 @@ private:
     Axiom axiom();
     Axiom of_kind(AxiomKind kind);
     void rule(Axiom& axiom);
+    Axiom fact(AxiomKind kind, const Iri& about);
+    /// Axioms that random ones hardly ever come to together: keys that bind, relations between things, wholes and
+    /// parts.
+    void key_of_two(std::vector<Axiom>& axioms);
+    void relation(std::vector<Axiom>& axioms);
+    void whole(std::vector<Axiom>& axioms);
 
     std::mt19937 random_;
     Shape shape_;
