@@ -46,6 +46,12 @@ inline ClassPointer some(const std::string& p, const std::string& c) { return so
 inline ClassPointer only(const std::string& p, ClassPointer c) {
     return make(ClassKind::all_values_from, p, {std::move(c)});
 }
+/// A restriction on the inverse of its property.
+inline ClassPointer inverse(const ClassPointer& restriction) {
+    auto result = std::make_shared<owl::ClassExpression>(*restriction);
+    result->property.inverse = true;
+    return result;
+}
 inline ClassPointer at_least(unsigned n, ClassPointer c) {
     return make(ClassKind::min_cardinality, "hasPart", {std::move(c)}, n);
 }

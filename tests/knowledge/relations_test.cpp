@@ -14,13 +14,6 @@ using namespace partonomy::knowledge;
 
 namespace {
 
-/// expression about the inverse of a property.
-ClassPointer inverse(const ClassPointer& restriction) {
-    auto result = std::make_shared<owl::ClassExpression>(*restriction);
-    result->property.inverse = true;
-    return result;
-}
-
 ClassPointer counted(ClassKind kind, const std::string& property, ClassPointer c, unsigned n = 0) {
     return make(kind, property, {std::move(c)}, n);
 }
