@@ -287,12 +287,17 @@ bool still_holds(const Domain& domain, Knowledge knowledge, const Iri& concept_i
 
 /// The closed world of the mesh, where configuration spaces do not tell why; nullptr where they do. Composite parts are
 /// better explained by spaces, to which they are no given facts, as long as the conclusion is drawn there.
+/// `with_others`: composite parts that there might be if less were known are looked at, too, while they are few.
 std::unique_ptr<MeshReasoner> world_of(const Domain& domain, const Knowledge& knowledge, const Iri& concept_iri,
-                                       int region) {
+                                       int region, bool with_others) {
+    constexpr std::size_t most_others = 40;
     if (!needs_mesh_world(domain, knowledge)) return nullptr;
     if (!domain.grounding->assembly.has_composites()) return std::make_unique<MeshReasoner>(domain, knowledge);
     if (is_concluded(domain, conclude_by_spaces(domain, knowledge), concept_iri, region)) return nullptr;
-    return std::make_unique<MeshReasoner>(domain, knowledge, *certain_composites(domain, knowledge));
+    const std::vector<CompositePart> composites = *certain_composites(domain, knowledge);
+    std::optional<std::vector<CompositePart>> others;
+    if (with_others) others = other_composites(domain, knowledge, composites, most_others);
+    return std::make_unique<MeshReasoner>(domain, knowledge, composites, others.value_or(std::vector<CompositePart>{}));
 }
 
 }  // namespace
@@ -309,7 +314,7 @@ std::vector<char> defining_axioms(const Theory& theory, int goal, std::size_t ax
 }
 
 Explanation explain(const Domain& domain, const Knowledge& knowledge, const Iri& concept_iri, int region_asked) {
-    if (auto world = world_of(domain, knowledge, concept_iri, region_asked))
+    if (auto world = world_of(domain, knowledge, concept_iri, region_asked, true))
         return world->explain(concept_iri, region_asked);
     if (is_about_one_region(domain, concept_iri, region_asked)) {
         const Excerpt excerpt(knowledge, region_asked);
@@ -415,7 +420,7 @@ std::vector<int> culprits(const Domain& domain, const Knowledge& knowledge, cons
 
 Explanations all_explanations(const Domain& domain, const Knowledge& knowledge, const Iri& concept_iri, int region,
                               const ExplanationOptions& options) {
-    if (auto world = world_of(domain, knowledge, concept_iri, region))
+    if (auto world = world_of(domain, knowledge, concept_iri, region, true))
         return world->explain_all(concept_iri, region, options);
     return all_reasons(domain, knowledge, concept_iri, region, options);
 }
@@ -425,7 +430,7 @@ std::vector<Correction> corrections(const Domain& domain, const Knowledge& knowl
     if (costs.size() != knowledge.answers.size()) throw std::invalid_argument("corrections: one cost for each answer");
     if (std::ranges::any_of(costs, [](double cost) { return !(cost >= 0); }))
         throw std::invalid_argument("corrections: a cost should not be negative");
-    if (auto world = world_of(domain, knowledge, concept_iri, region)) {
+    if (auto world = world_of(domain, knowledge, concept_iri, region, false)) {
         std::vector<Correction> found = world->correct(concept_iri, costs, region, options);
         if (domain.grounding->assembly.has_composites())  // which may be others after the change
             std::erase_if(found, [&](const Correction& each) {

@@ -8,7 +8,9 @@
    The world is told which composite parts there are. For explanations the regions are there a second time, as clauses
    that say which composite parts they make (object_composites.cpp); both share the selectors of axioms and answers, and
    what the world is told of a composite part only holds when the second formula makes it. So one minimal conflict of
-   both is minimal also in what makes composite parts.
+   both is minimal also in what makes composite parts. Without some of the answers there may be others: a leg that
+   nobody asked about may belong to the frame of its neighbour. While they are few, all that there might be are things
+   of this world, too, and of those that are not there nothing is told but that they are no part of the mesh.
 
    Cost: 20 parts with 5 features are 121 individuals, some 10,000 clauses and a few milliseconds; what properties of
    which nothing is known cost grows with the square of the individuals. */
@@ -27,17 +29,36 @@ namespace partonomy::knowledge {
 struct MeshReasoner::State {
     const Domain& domain;
     const Knowledge knowledge;
-    const std::vector<CompositePart> composites;
+    const std::vector<CompositePart> composites;  ///< those that there are, then others, both by group
+    const std::vector<char> is_certain;           ///< by composite part: that it is there
     MeshWorld mesh;
     GroundedWorld grounded;
     std::optional<Solver> solver;
 
-    State(const Domain& given, const Knowledge& known, const std::vector<CompositePart>& parts)
+    State(const Domain& given, const Knowledge& known, const std::vector<CompositePart>& parts,
+          const std::vector<CompositePart>& others)
         : domain(given),
           knowledge(known),
-          composites(parts),
+          composites(merged(parts, others)),
+          is_certain(certain(composites, parts)),
           mesh(make_mesh_world(given, knowledge, composites)),
           grounded(mesh.world, limits(), questions(mesh)) {}
+
+    static std::vector<CompositePart> merged(std::vector<CompositePart> parts,
+                                             const std::vector<CompositePart>& others) {
+        parts.insert(parts.end(), others.begin(), others.end());
+        std::ranges::stable_sort(parts, {}, &CompositePart::group);  // each after those that lie within it
+        return parts;
+    }
+
+    static std::vector<char> certain(const std::vector<CompositePart>& all, const std::vector<CompositePart>& parts) {
+        std::vector<char> result;
+        for (const CompositePart& each : all)
+            result.push_back(std::ranges::any_of(parts, [&](const CompositePart& part) {
+                return part.group == each.group && part.regions == each.regions;
+            }));
+        return result;
+    }
 
     static GroundOptions limits() {
         GroundOptions options;
@@ -92,8 +113,17 @@ struct MeshReasoner::State {
     /// A solver in which every axiom and every answer holds.
     [[nodiscard]] Solver& everything() {
         if (!solver) {
+            std::vector<char> is_told(grounded.selectors().size(), 1);
+            std::vector<int> required;
+            for (const Told& told : told_composites()) {
+                if (std::ranges::all_of(told.composites, [&](std::size_t i) { return is_certain[i] != 0; })) continue;
+                is_told[told.axiom] = 0;
+                if (told.literal != 0) required.push_back(-told.literal);
+            }
             solver.emplace(grounded.clauses());
-            solver->require(grounded.selectors());
+            for (std::size_t i = 0; i < is_told.size(); ++i)
+                if (is_told[i]) required.push_back(grounded.selectors()[i]);
+            solver->require(required);
         }
         solver->add_new(grounded.clauses());
         return *solver;
@@ -116,6 +146,29 @@ struct MeshReasoner::State {
             if (std::ranges::binary_search(entailed, fact.literal)) set &= *fact.where;
             if (std::ranges::binary_search(entailed, -fact.literal)) set -= *fact.where;
         }
+    }
+
+    /// An axiom that holds when some composite parts are there.
+    struct Told {
+        std::size_t axiom;
+        std::vector<std::size_t> composites;
+        int literal;  ///< what it says, which is false otherwise; 0: anything
+    };
+    [[nodiscard]] std::vector<Told> told_composites() {
+        std::vector<Told> result;
+        for (const auto& [index, composite] : mesh.told_composites) {
+            const owl::Axiom& axiom = mesh.world.ontology.axioms[index];
+            Told told{index, {composite}, 0};
+            if (axiom.kind == owl::AxiomKind::object_property_assertion) {
+                told.literal = grounded.related(axiom.individuals[0], axiom.properties[0], axiom.individuals[1]);
+                for (std::size_t i = 0; i < composite; ++i)  // one that lies within it
+                    if (mesh.composites[i] == axiom.individuals[1]) told.composites.push_back(i);
+            } else if (axiom.classes[0]->kind == owl::ClassKind::named) {
+                told.literal = grounded.is_a(axiom.individuals[0], axiom.classes[0]->iri);
+            }
+            result.push_back(std::move(told));
+        }
+        return result;
     }
 
     enum class Element { axiom, answer };
@@ -144,6 +197,7 @@ struct MeshReasoner::State {
                                const std::vector<double>* costs) {
         std::vector<int> given;
         if (!concept_iri.empty()) given.push_back(-goal_literal(concept_iri, region));
+        const std::vector<Told> told = told_composites();
         Question question{{}, {}, Solver(grounded.clauses())};
         const std::vector<int>& selectors = grounded.selectors();
         const std::size_t axioms = domain.ontology.axioms.size();
@@ -153,8 +207,8 @@ struct MeshReasoner::State {
         };
         std::vector<char> follows(selectors.size(), 0);  // what is told of composite parts, from what makes them
         if (!axioms_are_given && !composites.empty()) {
-            for (const auto& [axiom, composite] : mesh.told_composites) follows[axiom] = 1;
-            link_composites(question.solver);
+            for (const Told& each : told) follows[each.axiom] = 1;
+            link_composites(question.solver, told);
         }
         for (std::size_t i = 0; i < selectors.size(); ++i) {
             if (i < axioms && !axioms_are_given)
@@ -168,9 +222,9 @@ struct MeshReasoner::State {
         return question;
     }
 
-    /// What is told of a composite part holds when there is one of just these regions; which there are follows from
-    /// answers and axioms about regions.
-    void link_composites(Solver& into) const {
+    /// What is told of a composite part holds when there is one of just these regions, and no other time; which there
+    /// are follows from answers and axioms about regions.
+    void link_composites(Solver& into, const std::vector<Told>& told_of) const {
         const std::vector<int>& selectors = grounded.selectors();
         ObjectClauses object(theory());
         for (int region = 0; region < knowledge.region_count; ++region) static_cast<void>(object.add_region());
@@ -190,8 +244,14 @@ struct MeshReasoner::State {
         for (const std::size_t axiom : object.axioms()) links.add({-selectors[axiom], there(object.selector(axiom))});
         for (std::size_t i = 0; i < answers.size(); ++i)
             links.add({-selectors[mesh.first_answer + i], there(answers[i])});
-        for (const auto& [axiom, composite] : mesh.told_composites)
-            links.add({-there(is_there[composite]), selectors[axiom]});
+        for (const Told& told : told_of) {
+            std::vector<int> premises;
+            for (const std::size_t i : told.composites) premises.push_back(-there(is_there[i]));
+            for (const int premise : premises)
+                if (told.literal != 0) links.add({-premise, -told.literal});
+            premises.push_back(selectors[told.axiom]);
+            links.add(premises);
+        }
         into.add_more(links);
     }
 
@@ -209,8 +269,8 @@ struct MeshReasoner::State {
 };
 
 MeshReasoner::MeshReasoner(const Domain& domain, const Knowledge& knowledge,
-                           const std::vector<CompositePart>& composites)
-    : state_(std::make_unique<State>(domain, knowledge, composites)) {}
+                           const std::vector<CompositePart>& composites, const std::vector<CompositePart>& others)
+    : state_(std::make_unique<State>(domain, knowledge, composites, others)) {}
 
 MeshReasoner::~MeshReasoner() = default;
 

@@ -316,8 +316,10 @@ private:
         const std::vector<Group>& groups = domain_.grounding->theory.groups;
         tell_groups();
         for (std::size_t i = 0; i < composites.size(); ++i) {
-            const std::size_t first = axioms().size();
             const Iri& composite = result_.composites[i];
+            for (const char* layer : {"Object", "Region", "Feature"})  // even one that is not there (mesh_reasoner.cpp)
+                is_a(composite, owl::complement_of(owl::named_class(core_term(layer))));
+            const std::size_t first = axioms().size();
             is_a(composite, owl::named_class(core_term("CompositePart")));
             for (int g = 0; g < static_cast<int>(groups.size()); ++g) {
                 const ClassPointer group = owl::named_class(group_class(g));
@@ -470,6 +472,37 @@ MeshWorld make_mesh_world(const Domain& domain, const Knowledge& knowledge,
 std::optional<std::vector<CompositePart>> composites_for_world(const Domain& domain, const Knowledge& knowledge) {
     if (!domain.grounding->assembly.has_composites()) return std::vector<CompositePart>{};
     return certain_composites(domain, knowledge);
+}
+
+std::optional<std::vector<CompositePart>> other_composites(const Domain& domain, const Knowledge& knowledge,
+                                                           const std::vector<CompositePart>& certain,
+                                                           std::size_t limit) {
+    const std::size_t groups = domain.composites.size();
+    std::set<std::vector<int>> sets;
+    std::vector<std::vector<int>> to_grow;
+    const auto add = [&](std::vector<int> set) {
+        if (sets.insert(set).second) to_grow.push_back(std::move(set));
+    };
+    for (int region = 0; region < knowledge.region_count; ++region) add({region});
+    while (!to_grow.empty()) {
+        if (sets.size() * groups > limit + certain.size()) return std::nullopt;
+        const std::vector<int> set = std::move(to_grow.back());
+        to_grow.pop_back();
+        for (const auto& [a, b] : knowledge.connected) {
+            const bool has_a = std::ranges::binary_search(set, a), has_b = std::ranges::binary_search(set, b);
+            if (has_a == has_b) continue;
+            std::vector<int> larger = set;
+            larger.insert(std::ranges::upper_bound(larger, has_a ? b : a), has_a ? b : a);
+            add(std::move(larger));
+        }
+    }
+    std::vector<CompositePart> others;
+    for (int group = 0; group < static_cast<int>(groups); ++group)
+        for (const std::vector<int>& regions : sets)
+            if (std::ranges::none_of(
+                    certain, [&](const CompositePart& part) { return part.group == group && part.regions == regions; }))
+                others.push_back({group, regions, {}});
+    return others;
 }
 
 bool needs_mesh_world(const Domain& domain, const Knowledge& knowledge) {

@@ -35,6 +35,13 @@ struct MeshWorld {
 [[nodiscard]] std::optional<std::vector<CompositePart>> composites_for_world(const Domain& domain,
                                                                              const Knowledge& knowledge);
 
+/// The composite parts that there are not, but might be if nothing were known of any region: one for each kind of group
+/// and each set of regions that hang together. nullopt when there would be more than `limit`.
+[[nodiscard]] std::optional<std::vector<CompositePart>> other_composites(const Domain& domain,
+                                                                         const Knowledge& knowledge,
+                                                                         const std::vector<CompositePart>& certain,
+                                                                         std::size_t limit);
+
 /// Whether conclusions, explanations and corrections need the closed world of the mesh: the ontology says something
 /// that configuration spaces leave open, and all regions are known. Where it has composite parts, there must be no
 /// doubt which of them there are, too; else what spaces leave open stays open.
@@ -43,9 +50,10 @@ struct MeshWorld {
 /// Answers what the whole ontology says about one mesh, in which all regions are known.
 class MeshReasoner {
 public:
-    /// The domain must outlive it; `composites` are those that there are. Throws OntologyError for what cannot be
-    /// grounded.
-    MeshReasoner(const Domain& domain, const Knowledge& knowledge, const std::vector<CompositePart>& composites = {});
+    /// The domain must outlive it; `composites` are those that there are. `others`, which might be there if less were
+    /// known: explanations look at them, too. Throws OntologyError for what cannot be grounded.
+    MeshReasoner(const Domain& domain, const Knowledge& knowledge, const std::vector<CompositePart>& composites = {},
+                 const std::vector<CompositePart>& others = {});
     ~MeshReasoner();
 
     /// Takes away what the closed world rules out of what is possible for the regions; an empty set tells nothing.
@@ -60,7 +68,7 @@ public:
 
     /// As explain(), all_explanations() and corrections() in explain.h; completeness is always taken as given. Where an
     /// explanation speaks of a composite part, the answers that make it one belong to it. Corrections take the
-    /// composite parts as given.
+    /// composite parts as given; do not ask for them where there are `others`.
     [[nodiscard]] Explanation explain(const Iri& concept_iri, int region);
     [[nodiscard]] Explanations explain_all(const Iri& concept_iri, int region, const ExplanationOptions& options);
     [[nodiscard]] std::vector<Correction> correct(const Iri& concept_iri, const std::vector<double>& costs, int region,

@@ -1,3 +1,5 @@
+#include "composites_random.h"
+
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -5,7 +7,6 @@
 #include <random>
 
 #include "brute.h"
-#include "composites_random.h"
 #include "knowledge/lint.h"
 #include "knowledge/mesh_world.h"
 
