@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "algorithms/appearance.h"
+#include "app/accepted_answers_file.h"
 #include "app/commands.h"
 #include "base/errors.h"
 #include "expert/annotate.h"
@@ -38,6 +39,7 @@ struct Arguments {
     std::string up = "z", unit = "m";
     bool up_is_told = false;  ///< by the user; otherwise a glTF file tells its own
     bool unit_is_told = false;
+    std::string answers;  ///< file of what a person says
     std::string strategy = "expert", criterion = "gain-per-cost";
     std::vector<std::string> formats = {"labels", "json", "ply", "glb", "png", "trace"};
     int threads = 0;
@@ -176,8 +178,8 @@ void tell_about_objects(const knowledge::Domain& domain) {
     }
 }
 
-Annotation annotate_file(const Arguments& arguments, const Knowhow& knowhow, Input& input, const std::string& mesh_path,
-                         const fs::path& folder, const Progress& progress) {
+Annotation annotate_file(const Arguments& arguments, const Knowhow& knowhow, const std::vector<LearnedAnswer>& accepted,
+                         Input& input, const std::string& mesh_path, const fs::path& folder, const Progress& progress) {
     Stopwatch watch;
     if (knowhow.domain.is_about_scenes && !input.object.is_scene) {
         input.object.is_scene = true;
@@ -200,6 +202,8 @@ Annotation annotate_file(const Arguments& arguments, const Knowhow& knowhow, Inp
     const Object& object = input.object;
     AnnotateOptions options{parse_strategy(arguments.strategy), parse_criterion(arguments.criterion)};
     options.threads = arguments.threads;
+    options.accepted = accepted;
+    options.accepted_source = arguments.answers;
     Annotation annotation = annotate(knowhow.domain, knowhow.catalogue, object, options);
     annotation.timings_ms.insert(annotation.timings_ms.begin(),
                                  {{"load ontology", knowhow.load_ms}, {"read mesh", input.read_ms}});
@@ -269,6 +273,12 @@ int run_annotate(const Arguments& arguments) {
     static_cast<void>(parse_criterion(arguments.criterion));
     check_formats({arguments.formats.begin(), arguments.formats.end()});
     const std::vector<fs::path> folders = output_folders(arguments);
+    std::vector<LearnedAnswer> accepted;
+    if (!arguments.answers.empty()) {
+        if (arguments.meshes.size() > 1)
+            throw UsageError("--answers " + arguments.answers + ": tells of the parts of one mesh; annotate it alone");
+        accepted = load_accepted_answers(arguments.answers);
+    }
     const Progress progress(arguments.quiet);
     // Cutting a mesh needs no ontology: with a thread to spare, the ontology is read while the first mesh is cut.
     progress.show("reading " + arguments.ontology.path + " and " + arguments.meshes.front());
@@ -296,7 +306,8 @@ int run_annotate(const Arguments& arguments) {
             progress.show(fmt::format("{}: reading", mesh));
             if (i == 0 && first_error) std::rethrow_exception(first_error);
             Input input = i == 0 ? *std::exchange(first, std::nullopt) : read_input(arguments, mesh, is_scene);
-            const Annotation annotation = annotate_file(arguments, knowhow, input, mesh, folders[i], progress);
+            const Annotation annotation =
+                annotate_file(arguments, knowhow, accepted, input, mesh, folders[i], progress);
             progress.show("");
             if (!arguments.quiet) {
                 for (const std::string& note : annotation.mesh_notes) fmt::print(stderr, "{}: note: {}\n", mesh, note);
@@ -333,6 +344,8 @@ void add_annotate_command(CLI::App& app, Run& run) {
             .add_option("--unit", arguments->unit,
                         "unit of the file: m, cm, mm, in; auto finds it, or leaves questions of size open")
             ->capture_default_str();
+    command.add_option("--answers", arguments->answers,
+                       "JSON list of answers that a person gives or corrects, as knowledge.answers of annotation.json");
     command.add_option("--strategy", arguments->strategy, "expert, naive or segment-then-identify")
         ->capture_default_str();
     command.add_option("--criterion", arguments->criterion, "gain-per-cost or dichotomy")->capture_default_str();

@@ -44,9 +44,14 @@ void explain_part(const json& annotation, const json& part) {
         for (const json& text : entry.at("inferred"))
             if (mentions(text.get<std::string>(), name)) inferred.push_back(text.get<std::string>());
         if (entry.at("region") != name && inferred.empty()) continue;
-        fmt::print("  asked {}: {} (score {:.3f}){}{}\n", entry.at("question").get<std::string>(),
-                   entry.at("answer").get<std::string>(), entry.at("score").get<double>(),
-                   inferred.empty() ? "" : "; so ", fmt::join(inferred, ", "));
+        if (entry.at("kind") == "person")
+            fmt::print("  a person said {}: {}{}{}\n", entry.at("question").get<std::string>(),
+                       entry.at("answer").get<std::string>(), inferred.empty() ? "" : "; so ",
+                       fmt::join(inferred, ", "));
+        else
+            fmt::print("  asked {}: {} (score {:.3f}){}{}\n", entry.at("question").get<std::string>(),
+                       entry.at("answer").get<std::string>(), entry.at("score").get<double>(),
+                       inferred.empty() ? "" : "; so ", fmt::join(inferred, ", "));
     }
 }
 
@@ -132,7 +137,8 @@ void print_all_explanations(const Arguments& arguments, const json& annotation) 
             fmt::print("{}: explanation {} of {}{}\n", name, i + 1, found.sets.size(),
                        found.is_complete ? "" : " or more");
             for (const std::size_t a : found.sets[i].answers)
-                fmt::print("    {}\n", answer_in_words(domain, knowledge.answers[a], answers[a].score));
+                fmt::print("    {}\n",
+                           answer_in_words(domain, knowledge.answers[a], answers[a].score, answers[a].accepted));
             if (found.sets[i].needs_completeness) fmt::print("    {}\n", no_other_parts);
             for (const std::size_t a : found.sets[i].axioms)
                 fmt::print("    {}\n", axiom_in_words(domain.ontology.axioms[a]));

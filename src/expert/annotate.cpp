@@ -19,6 +19,7 @@
 #include <memory>
 
 #include "base/errors.h"
+#include "expert/accepted_answers.h"
 #include "expert/open_questions.h"
 #include "knowledge/near_miss.h"
 
@@ -168,7 +169,7 @@ std::vector<LearnedAnswer> learned_answers(const Session& session, const knowled
             session.domain().regions.variables[static_cast<std::size_t>(answer.question.variable)];
         answers.push_back({answer.region + 1, feature_name(variable),
                            variable.values[static_cast<std::size_t>(answer.question.value)], answer.yes,
-                           session.answer_scores()[i]});
+                           session.answer_scores()[i], session.is_accepted(answer)});
     }
     return answers;
 }
@@ -372,6 +373,11 @@ Annotation annotate(const Domain& domain, const Catalogue& catalogue, const Obje
     Cut cut = cut_of(object);
     const std::unique_ptr<Session> likeliest = ask_about_likeliest(domain, catalogue, object, cut, options);
     Session& session = *likeliest;
+    if (!options.accepted.empty()) {
+        accept_answers(session, options.accepted, options.accepted_source);
+        if (options.strategy == Strategy::expert) ask_on(session, options.criterion);
+        session.find_connections();
+    }
 
     const knowledge::Knowledge knowledge = session.knowledge();
     const Conclusions known = conclude(domain, knowledge);

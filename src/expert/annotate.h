@@ -11,19 +11,23 @@ struct AnnotateOptions {
     bool diagnose = true;  ///< false: `consistent` is told, but not why
     bool mend = true;      ///< the cut by what the ontology says of it, with Strategy::expert; see final_labelling.h
     int threads = 1;       ///< <= 0: all cores
+    /// What a person says of the parts, which are numbered as they are without this (accepted_answers.h).
+    std::vector<LearnedAnswer> accepted = {};
+    std::string accepted_source = {};  ///< the file that says so
 };
 
 /// Cuts and names the parts of an object, recognises it, and says what is wrong with it (paper §3.3.2, §5.1.2).
-/// Everything but the names and hashes of the files is filled in.
+/// Everything but the names and hashes of the files is filled in. Throws UsageError for accepted answers that cannot
+/// be.
 [[nodiscard]] Annotation annotate(const knowledge::Domain& domain, const Catalogue& catalogue, const Object& object,
                                   const AnnotateOptions& options = {});
 
 /// Why an object is incompatible, one diagnosis for each incompatible concept that holds, or one for a contradiction.
 [[nodiscard]] std::vector<Diagnosis> diagnose(const Session& session, const knowledge::Conclusions& known);
 
-/// "part 3: is it a board: yes (0.98)".
+/// "part 3: is it a board: yes (0.98)", or "(a person said so)" when it is accepted.
 [[nodiscard]] std::string answer_in_words(const knowledge::Domain& domain, const knowledge::Answer& answer,
-                                          double score);
+                                          double score, bool accepted);
 /// "Seat EquivalentTo: … (furniture.ttl:31)".
 [[nodiscard]] std::string axiom_in_words(const owl::Axiom& axiom);
 /// What an explanation that rests on completeness says.

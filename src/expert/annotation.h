@@ -70,7 +70,8 @@ struct LearnedAnswer {
     std::string feature;  ///< IRI of the range concept or measured property; a relation as written
     std::string value;    ///< word of the value: "Board", "<= 0.55"
     bool yes = true;
-    double score = 1;  ///< [0.5, 1]
+    double score = 1;       ///< [0.5, 1]
+    bool accepted = false;  ///< a person said so
 };
 
 /// All that is known about one object at the end; every output file is written from this one value.
@@ -85,7 +86,7 @@ struct Annotation {
     std::vector<std::string> classes;      ///< most specific object classes, incompatible ones included
     std::vector<std::string> all_classes;  ///< every class that holds
     std::vector<std::string> perhaps;      ///< incompatible concepts that hold if the assumed names of parts are right
-    std::vector<NearClass> nearest;        ///< where no class holds that is no diagnosis: the likest first, at most three
+    std::vector<NearClass> nearest;  ///< where no class holds that is no diagnosis: the likest first, at most three
     bool consistent = true;
     double score = 0;
     std::vector<AnnotatedPart> parts;

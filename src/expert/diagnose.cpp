@@ -1,7 +1,7 @@
 /* Diagnoses (paper §3.2.4, §5.1.2, Fig. 14): for each incompatible concept that is entailed of the object or of a part,
  * who is to blame, a minimal set of answers and axioms that entail it, and the cheapest sets of answers whose change
  * would mend it. The cost of turning an answer round is its distance from the boundary: an answer with score 0.5 costs
- * nothing, one with 1 costs 0.5. */
+ * nothing, one with 1 costs 0.5. What a person said is never to be turned round. */
 
 #include <fmt/format.h>
 
@@ -25,6 +25,7 @@ using owl::Iri;
 constexpr std::size_t most_corrections = 8;  // that are listed for one diagnosis
 // For the corrections of one diagnosis, about 0.5 s; objects of many parts have a great many.
 constexpr std::uint64_t most_steps = 700'000;
+constexpr double never = 1'000'000;        // the cost of turning round what a person said
 constexpr int most_parts_explained = 500;  // beyond, a minimal explanation takes longer than all the rest
 
 const Iri incompatible = std::string(owl::core_prefix) + "Incompatible";
@@ -33,7 +34,9 @@ class Diagnoser {
 public:
     explicit Diagnoser(const Session& session)
         : session_(session), domain_(session.domain()), knowledge_(session.knowledge()) {
-        for (const double score : session.answer_scores()) costs_.push_back(std::abs(score - 0.5));
+        for (std::size_t i = 0; i < knowledge_.answers.size(); ++i)
+            costs_.push_back(session.is_accepted(knowledge_.answers[i]) ? never
+                                                                        : std::abs(session.answer_scores()[i] - 0.5));
     }
 
     /// An empty IRI: why the answers contradict the axioms. `region` for a concept of regions, else -1.
@@ -59,8 +62,7 @@ public:
 
 private:
     void tell(const knowledge::Explanation& explanation, Diagnosis& diagnosis) const {
-        for (const std::size_t i : explanation.answers)
-            diagnosis.answers.push_back(answer_in_words(domain_, knowledge_.answers[i], session_.answer_scores()[i]));
+        for (const std::size_t i : explanation.answers) diagnosis.answers.push_back(in_words(i));
         if (explanation.needs_completeness) diagnosis.answers.emplace_back(no_other_parts);
         for (const std::size_t i : explanation.axioms)
             diagnosis.axioms.push_back(axiom_in_words(domain_.ontology.axioms[i]));
@@ -73,7 +75,7 @@ private:
         for (std::size_t i = 0; i < knowledge_.answers.size(); ++i) {
             const knowledge::Answer& answer = knowledge_.answers[i];
             if (answer.yes && std::ranges::find(diagnosis.parts, answer.region + 1) != diagnosis.parts.end())
-                diagnosis.answers.push_back(answer_in_words(domain_, answer, session_.answer_scores()[i]));
+                diagnosis.answers.push_back(in_words(i));
         }
         const auto is_concept = [&](const owl::ClassPointer& each) {
             return each->kind == owl::ClassKind::named && each->iri == iri;
@@ -83,11 +85,17 @@ private:
                 diagnosis.axioms.push_back(axiom_in_words(axiom));
     }
 
+    [[nodiscard]] std::string in_words(std::size_t i) const {
+        const knowledge::Answer& answer = knowledge_.answers[i];
+        return answer_in_words(domain_, answer, session_.answer_scores()[i], session_.is_accepted(answer));
+    }
+
     void correct(const Iri& iri, int region, Diagnosis& diagnosis) const {
         knowledge::ExplanationOptions options;
         options.limit = most_corrections;
         options.steps = most_steps;
         std::vector<knowledge::Correction> ranked = corrections(domain_, knowledge_, iri, costs_, region, options);
+        std::erase_if(ranked, [](const knowledge::Correction& correction) { return correction.cost >= never; });
         const auto is_innocent = [&](const knowledge::Correction& correction) {
             return std::ranges::none_of(correction.answers, [&](std::size_t i) {
                 return std::ranges::find(diagnosis.parts, knowledge_.answers[i].region + 1) != diagnosis.parts.end();
@@ -117,9 +125,9 @@ private:
 
 }  // namespace
 
-std::string answer_in_words(const Domain& domain, const knowledge::Answer& answer, double score) {
-    return fmt::format("part {}: {}: {} ({:.2f})", answer.region + 1, to_text(domain.regions, answer.question, domain),
-                       answer.yes ? "yes" : "no", score);
+std::string answer_in_words(const Domain& domain, const knowledge::Answer& answer, double score, bool accepted) {
+    return fmt::format("part {}: {}: {} ({})", answer.region + 1, to_text(domain.regions, answer.question, domain),
+                       answer.yes ? "yes" : "no", accepted ? "a person said so" : fmt::format("{:.2f}", score));
 }
 
 std::string axiom_in_words(const owl::Axiom& axiom) {

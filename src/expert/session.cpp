@@ -481,6 +481,7 @@ bool Session::make_room(const knowledge::Answer& answer, double score) {
 
 void Session::correct(int region, Question question, bool yes) {
     withdrawn_.clear();
+    accepted_.emplace(region, question);
     const Answer told{region, question, yes};
     std::vector<std::size_t> own;  // the surest first
     for (std::size_t i = 0; i < answers_.size(); ++i)

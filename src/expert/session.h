@@ -57,6 +57,11 @@ public:
     [[nodiscard]] bool has_rest() const { return !rest_.empty(); }
     [[nodiscard]] const knowledge::ConfigurationSet& rest_possible() const { return rest_possible_; }
     [[nodiscard]] int region_count() const { return static_cast<int>(parts_.size()); }
+    /// Whether a person said so.
+    [[nodiscard]] bool is_accepted(const knowledge::Answer& answer) const {
+        return accepted_.contains({answer.region, answer.question});
+    }
+
     /// What a region can still be.
     [[nodiscard]] const knowledge::ConfigurationSet& possible(int region) const { return possible_[index(region)]; }
     [[nodiscard]] const PartRegion& part(int region) const { return parts_[index(region)]; }
@@ -146,6 +151,7 @@ private:
     std::vector<knowledge::Answer> answers_;
     std::vector<double> answer_scores_;
     std::vector<std::string> left_out_;  ///< for the trace: doubtful answers that contradicted others
+    std::set<std::pair<int, knowledge::Question>> accepted_;   ///< what a person said
     std::set<std::pair<int, knowledge::Question>> withdrawn_;  ///< answers about relations, since the last correction
     std::optional<std::vector<std::pair<int, int>>> connected_;
     std::vector<int> connectable_;  ///< regions of which is known which of them touch; ascending

@@ -68,14 +68,16 @@ void write_questions(JsonText& json, const Annotation& annotation) {
 void write_knowledge(JsonText& json, const Annotation& annotation) {
     json.object("knowledge").member("complete", annotation.is_complete).member("connected", annotation.connected);
     json.array("answers");
-    for (const LearnedAnswer& answer : annotation.answers)
+    for (const LearnedAnswer& answer : annotation.answers) {
         json.object()
             .member("part", answer.part)
             .member("feature", answer.feature)
             .member("value", answer.value)
             .member("yes", answer.yes)
-            .member("score", answer.score)
-            .end();
+            .member("score", answer.score);
+        if (answer.accepted) json.member("accepted", true);
+        json.end();
+    }
     json.end().end().array("diagnosis");
     for (const Diagnosis& diagnosis : annotation.diagnosis) {
         json.object()

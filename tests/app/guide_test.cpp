@@ -1,7 +1,8 @@
 /* docs/guide.md and then docs/guide-reference.md, followed to the letter. Blocks marked `omn` say what an expert has in
    the editor from then on (a frame replaces the earlier one of its name), with short names as Protégé shows them; here
    they are put together as the file that it would save. Blocks marked `console` are run in order; the lines below a
-   command are to come out of it, one after another, and "…" stands for any lines. */
+   command are to come out of it, one after another, and "…" stands for any lines. What is marked `json` is saved as
+   said.json. */
 
 #include <gtest/gtest.h>
 
@@ -9,6 +10,7 @@
 #include <cctype>
 #include <set>
 #include <sstream>
+#include <utility>
 
 #include "app/run_program.h"
 #include "base/files.h"
@@ -137,6 +139,7 @@ std::string follow_guide(const TemporaryFolder& folder) {
     for (const ExampleObject& lamp : lamps()) folder.write("lamps/" + lamp.name + ".off", to_off(lamp.mesh));
     Editor editor;
     std::string block, command;
+    std::string said;
     std::vector<std::string> told;
     int commands = 0;
     const auto run = [&] {
@@ -151,8 +154,11 @@ std::string follow_guide(const TemporaryFolder& folder) {
             run();
             block = line.substr(3);
             folder.write("lamps.omn", editor.saved());
+            if (!said.empty()) folder.write("said.json", std::exchange(said, {}));
         } else if (block == "omn") {
             editor.type(line);
+        } else if (block == "json") {
+            said += line + '\n';
         } else if (block == "console" && line.starts_with("$ ")) {
             run();
             command = line;
