@@ -53,9 +53,14 @@ public:
         }
         try {
             tell(explain(domain_, knowledge_, iri, region), diagnosis);
+        } catch (const OntologyError& limit) {
+            diagnosis.answers.emplace_back(limit.what());
+        }
+        try {
             correct(iri, region, diagnosis);
-        } catch (const OntologyError& too_many_parts) {
-            diagnosis.answers.emplace_back(too_many_parts.what());
+        } catch (const OntologyError& limit) {
+            if (diagnosis.answers.empty() || diagnosis.answers.back() != limit.what())
+                diagnosis.answers.emplace_back(limit.what());
         }
         return diagnosis;
     }

@@ -41,8 +41,10 @@ std::vector<Cause> causes(const Theory& theory, Level level, int goal, std::size
         for (RankedSet& each : lightest_conflicts(solver, selectors, {limit, most_steps}).sets)
             sets.push_back(std::move(each.set));
     }
-    if (sets.empty())
-        if (auto one = minimal_conflict(solver, selectors)) sets.push_back(std::move(one->set));
+    if (sets.empty()) try {
+            if (auto one = minimal_conflict(solver, selectors)) sets.push_back(std::move(one->set));
+        } catch (const OutOfSteps&) {  // then it is told without a cause
+        }
     std::vector<Cause> result;
     for (const SelectorSet& set : sets) {
         Cause& cause = result.emplace_back();

@@ -52,6 +52,8 @@ struct ConfigurationSet::Conjunction {
         return *shares_;
     }
     [[nodiscard]] bool is_empty() const {
+        if (literals.size() == 1 && diagram->sample() == nullptr)  // one sweep tells of every concept
+            return !diagram->remembered_shares({})->is_possible(literals[0]);
         return asks_solver() ? !has_model_with({}) : std::isinf(shares().log2_total);
     }
     [[nodiscard]] bool is_possible(int literal) const {

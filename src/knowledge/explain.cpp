@@ -313,18 +313,20 @@ std::vector<char> defining_axioms(const Theory& theory, int goal, std::size_t ax
     return axioms;
 }
 
-Explanation explain(const Domain& domain, const Knowledge& knowledge, const Iri& concept_iri, int region_asked) {
+Explanation explain(const Domain& domain, const Knowledge& knowledge, const Iri& concept_iri, int region_asked,
+                    const ExplanationOptions& options) {
     if (auto world = world_of(domain, knowledge, concept_iri, region_asked, true))
-        return world->explain(concept_iri, region_asked);
+        return world->explain(concept_iri, region_asked, options.steps);
     if (is_about_one_region(domain, concept_iri, region_asked)) {
         const Excerpt excerpt(knowledge, region_asked);
-        Explanation explanation = one_reason(domain, excerpt.knowledge, concept_iri, 0);
+        Explanation explanation = one_reason(domain, excerpt.knowledge, concept_iri, 0, options.steps);
         explanation.answers = excerpt.in_all(std::move(explanation.answers));
         return explanation;
     }
-    if (prefers_solver(domain, knowledge)) return one_reason(domain, knowledge, concept_iri, region_asked);
+    if (prefers_solver(domain, knowledge))
+        return one_reason(domain, knowledge, concept_iri, region_asked, options.steps);
     const Conclusions conclusions = conclude_by_spaces(domain, knowledge);
-    if (conclusions.objects->diagram) return one_reason(domain, knowledge, concept_iri, region_asked);
+    if (conclusions.objects->diagram) return one_reason(domain, knowledge, concept_iri, region_asked, options.steps);
     const Theory& theory = domain.grounding->theory;
     const auto refuse = [&] {
         throw std::invalid_argument("explain: " + (concept_iri.empty() ? std::string("a contradiction") : concept_iri) +

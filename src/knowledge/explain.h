@@ -70,10 +70,11 @@ struct Explanation {
 /// with an empty IRI, why the knowledge is contradictory. Minimal: nothing can be left out, but where a limit of steps
 /// was reached (Explanation::is_minimal). Explanations that do
 /// without "there are no other parts", and those by the concept's own definition, come first. Of a concept of regions
-/// the reason for `region` is told, by default for the first region that is entailed to be one. Throws
-/// std::invalid_argument when it is not entailed; OntologyError when concepts count thousands of parts.
+/// the reason for `region` is told, by default for the first region that is entailed to be one. Of the options only the
+/// steps count. Throws std::invalid_argument when it is not entailed; OntologyError when concepts count thousands of
+/// parts, or when the steps run out before there is any explanation.
 [[nodiscard]] Explanation explain(const Domain& domain, const Knowledge& knowledge, const Iri& concept_iri,
-                                  int region = -1);
+                                  int region = -1, const ExplanationOptions& options = {});
 
 /// All minimal explanations, the smallest first.
 struct Explanations {

@@ -29,7 +29,6 @@ namespace {
 
 class Conflicts {
 public:
-    /// nullptr: as many steps as it takes, until take_from says otherwise.
     Conflicts(Solver& solver, std::span<const Selector> selectors, Steps* steps)
         : solver_(solver), selectors_(selectors) {
         solver_.take_from(steps);
@@ -50,8 +49,6 @@ public:
         for (const std::size_t i : set) assumptions.push_back(selectors_[i].literal);
         return solver_.solve(assumptions) == Verdict::unsatisfiable;
     }
-
-    void take_from(Steps* steps) { solver_.take_from(steps); }
 
     /// A conflict within `set`, which has one.
     [[nodiscard]] SelectorSet shrink(SelectorSet set) {
@@ -148,10 +145,9 @@ RankedSets lightest(Conflicts& conflicts, const ExplanationOptions& options, Ste
 }  // namespace
 
 std::optional<Conflict> minimal_conflict(Solver& solver, std::span<const Selector> selectors, std::uint64_t most) {
-    Conflicts conflicts(solver, selectors, nullptr);
-    if (!conflicts.has_conflict(conflicts.all())) return std::nullopt;
     Steps steps(most);
-    conflicts.take_from(&steps);
+    Conflicts conflicts(solver, selectors, &steps);
+    if (!conflicts.has_conflict(conflicts.all())) return std::nullopt;
     Conflict conflict{conflicts.all()};
     try {
         conflicts.shrink_in_place(conflict.set);

@@ -43,8 +43,9 @@ struct Conflict {
     SelectorSet set;
     bool is_minimal = true;  ///< false: the steps ran out before it was known of each selector that it is needed
 };
-/// One conflict; selectors early in the list are given up first. nullopt when there is none. Whether there is one takes
-/// as long as it takes, as it did when it was found; `steps` limit making it minimal.
+/// One conflict; selectors early in the list are given up first. nullopt when there is none. Throws OutOfSteps when the
+/// steps do not suffice to find out whether there is one; from then on, what is left of them goes into making it
+/// minimal.
 [[nodiscard]] std::optional<Conflict> minimal_conflict(Solver& solver, std::span<const Selector> selectors,
                                                        std::uint64_t steps = ExplanationOptions{}.steps);
 

@@ -315,9 +315,14 @@ void MeshReasoner::narrow(std::vector<CompositePart>& composites) {
     }
 }
 
-Explanation MeshReasoner::explain(const Iri& concept_iri, int region) {
+Explanation MeshReasoner::explain(const Iri& concept_iri, int region, std::uint64_t steps) {
     State::Question question = state_->ask(concept_iri, region, false, nullptr);
-    const std::optional<Conflict> found = minimal_conflict(question.solver, question.selectors);
+    std::optional<Conflict> found;
+    try {
+        found = minimal_conflict(question.solver, question.selectors, steps);
+    } catch (const OutOfSteps&) {
+        refuse_to_search_on(concept_iri, steps);
+    }
     if (!found)
         throw std::invalid_argument("explain: " + (concept_iri.empty() ? std::string("a contradiction") : concept_iri) +
                                     " does not follow from what is known");

@@ -69,7 +69,8 @@ public:
     /// As explain(), all_explanations() and corrections() in explain.h; completeness is always taken as given. Where an
     /// explanation speaks of a composite part, the answers that make it one belong to it. Corrections take the
     /// composite parts as given; do not ask for them where there are `others`.
-    [[nodiscard]] Explanation explain(const Iri& concept_iri, int region);
+    [[nodiscard]] Explanation explain(const Iri& concept_iri, int region,
+                                      std::uint64_t steps = ExplanationOptions{}.steps);
     [[nodiscard]] Explanations explain_all(const Iri& concept_iri, int region, const ExplanationOptions& options);
     [[nodiscard]] std::vector<Correction> correct(const Iri& concept_iri, const std::vector<double>& costs, int region,
                                                   const ExplanationOptions& options);

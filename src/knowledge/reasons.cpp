@@ -18,6 +18,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "base/errors.h"
 #include "knowledge/assembly.h"
 #include "knowledge/object_clauses.h"
 
@@ -151,13 +152,13 @@ public:
     }
 
     /// One explanation, without completeness and axioms from elsewhere when that is possible.
-    [[nodiscard]] Explanation one() const {
+    [[nodiscard]] Explanation one(std::uint64_t most_steps) const {
         Solver solver(object_.clauses);
         prefer(solver, selectors_);
         std::size_t begin = 0;
         for (const std::size_t later : {first_answer_, std::size_t{!elements_.empty()}})
-            if (begin == 0 && later > 0 && conflicts(solver, later)) begin = later;
-        const auto found = minimal_conflict(solver, std::span(selectors_).subspan(begin));
+            if (begin == 0 && later > 0 && conflicts(solver, later, most_steps)) begin = later;
+        const auto found = minimal_conflict(solver, std::span(selectors_).subspan(begin), most_steps);
         if (!found) throw std::logic_error("explain: the clauses do not entail what the layers do");
         Explanation result = explanation(found->set, begin);
         result.is_minimal = found->is_minimal;
@@ -179,10 +180,19 @@ private:
         elements_.push_back({kind, index});
         selectors_.push_back({literal, 1});
     }
-    [[nodiscard]] bool conflicts(Solver& solver, std::size_t begin) const {
+    /// Whether the elements from `begin` on do, as far as the steps tell.
+    [[nodiscard]] bool conflicts(Solver& solver, std::size_t begin, std::uint64_t most_steps) const {
         std::vector<int> literals;
         for (std::size_t i = begin; i < selectors_.size(); ++i) literals.push_back(selectors_[i].literal);
-        return solver.solve(literals) == Verdict::unsatisfiable;
+        Steps steps(most_steps);
+        solver.take_from(&steps);
+        bool found = false;
+        try {
+            found = solver.solve(literals) == Verdict::unsatisfiable;
+        } catch (const OutOfSteps&) {
+        }
+        solver.take_from(nullptr);
+        return found;
     }
     [[nodiscard]] Explanation explanation(const SelectorSet& set, std::size_t begin) const {
         Explanation result;
@@ -261,10 +271,22 @@ bool FromAxioms::follows(const std::vector<char>& axioms) {
     return true;
 }
 
-Explanation one_reason(const Domain& domain, const Knowledge& knowledge, const Iri& concept_iri, int region) {
+void refuse_to_search_on(const Iri& concept_iri, std::uint64_t steps) {
+    throw OntologyError("why " +
+                        (concept_iri.empty() ? "answers and axioms contradict each other"
+                                             : "it is " + with_article(owl::local_name(concept_iri))) +
+                        " was not found within " + std::to_string(steps) + " steps of search");
+}
+
+Explanation one_reason(const Domain& domain, const Knowledge& knowledge, const Iri& concept_iri, int region,
+                       std::uint64_t steps) {
     Goal goal = find_goal(domain, conclude(domain, knowledge), concept_iri, region);
     if (goal.id < 0 && goal.level == Level::region) goal.regions.resize(1);  // one contradiction is enough
-    return Reasons(domain, knowledge, goal).one();
+    try {
+        return Reasons(domain, knowledge, goal).one(steps);
+    } catch (const OutOfSteps&) {
+        refuse_to_search_on(concept_iri, steps);
+    }
 }
 
 Explanations all_reasons(const Domain& domain, const Knowledge& knowledge, const Iri& concept_iri, int region,

@@ -14,8 +14,11 @@ namespace partonomy::knowledge {
 /// Axioms that define the goal (a concept of the theory), and what its definition rests on, as flags by axiom.
 [[nodiscard]] std::vector<char> defining_axioms(const Theory& theory, int goal, std::size_t axiom_count);
 
+/// What explain() says when it finds nothing in time: "why … was not found within … steps of search".
+[[noreturn]] void refuse_to_search_on(const Iri& concept_iri, std::uint64_t steps);
+
 [[nodiscard]] Explanation one_reason(const Domain& domain, const Knowledge& knowledge, const Iri& concept_iri,
-                                     int region);
+                                     int region, std::uint64_t steps);
 [[nodiscard]] Explanations all_reasons(const Domain& domain, const Knowledge& knowledge, const Iri& concept_iri,
                                        int region, const ExplanationOptions& options);
 [[nodiscard]] std::vector<Correction> cheapest_changes(const Domain& domain, const Knowledge& knowledge,

@@ -263,6 +263,12 @@ TEST(MeshWorld, ExplanationsAndCorrections) {
     ASSERT_EQ(found.size(), 2U);
     EXPECT_EQ(found[0].answers, (std::vector<std::size_t>{2}));
     EXPECT_THROW((void)explain(mesh.domain, mesh.known, "urn:t#A", 0), std::invalid_argument);
+    try {
+        (void)explain(mesh.domain, mesh.known, "urn:t#A", 1, {1, 0});
+        ADD_FAILURE() << "explained in no time";
+    } catch (const OntologyError& error) {
+        EXPECT_STREQ(error.what(), "why it is an A was not found within 0 steps of search");
+    }
 }
 
 namespace {
