@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -113,25 +114,21 @@ struct Checked {
 Checked look_at(const OntologyArguments& arguments) {
     Checked checked{arguments.read(), std::nullopt, {}};
     checked.findings = knowledge::unknown_terms(checked.ontology);
-    try {
-        checked.domain = knowledge::compile(checked.ontology, arguments.compile_options());
-    } catch (const OntologyError& error) {
-        for (Finding& finding : knowledge::why_refused(checked.ontology, error.what()))
-            checked.findings.push_back(std::move(finding));
-        return checked;
-    }
+    const auto add = [&](std::vector<Finding> findings) {
+        std::ranges::move(findings, std::back_inserter(checked.findings));
+    };
     Catalogue catalogue;
     knowledge::LintOptions options;
     try {
+        checked.domain = knowledge::compile(checked.ontology, arguments.compile_options());
         catalogue = make_catalogue(*checked.domain);
         options.can_answer = [&](knowledge::Question question) {
             return catalogue.find(Signature::is_a, question) != nullptr;
         };
     } catch (const OntologyError& error) {  // what can be answered is only known when this is mended
-        for (Finding& finding : knowledge::why_refused(checked.ontology, error.what()))
-            checked.findings.push_back(std::move(finding));
+        add(knowledge::why_refused(checked.ontology, error.what()));
     }
-    for (Finding& finding : lint(*checked.domain, options)) checked.findings.push_back(std::move(finding));
+    if (checked.domain) add(lint(*checked.domain, options));
     return checked;
 }
 
