@@ -5,9 +5,13 @@
 // A view is as good as the sum over the parts of the square root of the pixels that show it: the root makes a hidden
 // leg worth more than a larger tabletop. Points spread over the surface and 24 x 24 pixels a view answer that well
 // enough, whatever the number of triangles.
+//
+// The object fills the picture from wherever it is seen, so a spoon along its length would fill it best. A long and
+// slim object, the slimmer the more, therefore loses by how much shorter it looks than it is.
 
 #include "report/choose_view.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -114,6 +118,30 @@ std::vector<SurfacePoint> spread_points(const PlacedMesh& mesh, const Annotation
     return points;
 }
 
+/// Along what a long and slim object runs, and how slim it is.
+struct Length {
+    Vec3 direction = Vec3::UnitZ();
+    double slimness = 0;  ///< [0, 1]: 0 where the points spread a third as widely, or more, in another direction
+
+    /// What a view is worth that looks into a direction: 1 across, less where the object looks shorter.
+    [[nodiscard]] double worth(const Vec3& into) const {
+        const double along = into.dot(direction);
+        return 1 - slimness * along * along;
+    }
+};
+
+Length find_length(const std::vector<SurfacePoint>& points) {
+    if (points.empty()) return {};
+    Vec3 middle = Vec3::Zero();
+    for (const SurfacePoint& point : points) middle += point.place / static_cast<double>(points.size());
+    Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+    for (const SurfacePoint& point : points) spread += (point.place - middle) * (point.place - middle).transpose();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);  // ascending
+    const double longest = axes.eigenvalues()[2], next = std::max(0.0, axes.eigenvalues()[1]);
+    if (!(longest > 0)) return {};
+    return {axes.eigenvectors().col(2), std::max(0.0, 1 - 3 * std::sqrt(next / longest))};
+}
+
 /// A rectangle that grows around what the camera sees.
 struct View {
     double left = std::numeric_limits<double>::infinity(), right = -left, top = left, bottom = -left;
@@ -168,6 +196,7 @@ Camera choose_view(const PlacedMesh& mesh, const Annotation& annotation, const V
     const Vec3 first = any_horizontal(top), second = top.cross(first);
     const Sides sides = find_sides(mesh, top, first, second);
     const std::vector<SurfacePoint> points = spread_points(mesh, annotation, point_count);
+    const Length length = find_length(points);
     std::array<Camera, 8> cameras;
     std::array<double, 8> values{};
     for_each_range(
@@ -178,7 +207,8 @@ Camera choose_view(const PlacedMesh& mesh, const Annotation& annotation, const V
                 const double angle = sides.angle - 90 * degree + side + (i % 2 == 0 ? azimuth : -azimuth);
                 cameras[i] = look_from(top, std::cos(angle) * first + std::sin(angle) * second);
                 const double tall_in_front = (sides.tall_end * std::polar(1.0, -angle)).real();
-                values[i] = goodness(points, cameras[i], annotation.parts.size()) * (1 - 0.25 * tall_in_front);
+                values[i] = goodness(points, cameras[i], annotation.parts.size()) * (1 - 0.25 * tall_in_front) *
+                            length.worth(cameras[i].into);
             }
         },
         4);

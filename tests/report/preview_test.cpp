@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include "base/errors.h"
 #include "picture.h"
+#include "report/choose_view.h"
 #include "report/font.h"
 #include "report/write.h"
 #include "zoo.h"
@@ -93,6 +95,23 @@ TEST(Preview, ShowsTheFrontOfAChair) {
             for (Vec3& point : object.mesh.positions) point = Vec3(-point.x(), -point.y(), point.z());
         const Picture picture = decode(to_png(object.mesh, object.annotation, Vec3::UnitZ()));
         EXPECT_GT(shaded_pixels(picture, color_of(object.annotation.parts[0])), 8000) << backwards;
+    }
+}
+
+TEST(Preview, LongThingsAreSeenAcross) {
+    std::mt19937 random(20261123);
+    std::normal_distribution<double> normal;
+    for (int trial = 0; trial < 200; ++trial) {
+        const auto quaternion = Eigen::Quaterniond(normal(random), normal(random), normal(random), normal(random));
+        const Eigen::Matrix3d turn = quaternion.normalized().toRotationMatrix();
+        zoo::Annotated object;
+        zoo::add_part(object, {"Handle"}, 1, "#4e79a7");
+        zoo::add_box(object, 0, Vec3(0, 0, 0), Vec3(1, 0.06, 0.03));
+        for (Vec3& point : object.mesh.positions) point = turn * point;
+        zoo::complete(object);
+        const PlacedMesh placed(object.mesh);
+        const Camera camera = choose_view(placed, object.annotation, Vec3::UnitZ(), {0, 0, 100, 100});
+        EXPECT_LT(std::abs(camera.into.dot(turn.col(0))), 0.71) << "seed 20261123, trial " << trial;
     }
 }
 
