@@ -185,7 +185,7 @@ Node ManchesterExpressions::primary() {
     if (lexer_.is_mark("{")) return one_of();
     if (take_mark("(")) {
         const Node inner = description();
-        want_mark(")", "a class expression that begins with '('");
+        want_mark(")", between("a class expression that begins with '(' in line ", std::to_string(line), "").c_str());
         return inner;
     }
     if (lexer_.is_word("inverse")) return restriction(property(), line);
@@ -197,10 +197,21 @@ Node ManchesterExpressions::primary() {
         node = name("a class, property or datatype");
     }
     if (lexer_.is_mark("[")) return facets(node, line);
+    for (const char* mark : {"<", "<=", ">", ">="}) {
+        if (lexer_.is_mark(mark)) refuse_bare_comparison(node, line);
+    }
     for (const char* word : {"some", "only", "value", "Self", "min", "max", "exactly"}) {
         if (lexer_.is_word(word)) return restriction(node, line);
     }
     return node;
+}
+
+void ManchesterExpressions::refuse_bare_comparison(Node property, long line) {
+    const std::string mark = lexer_.text;
+    lexer_.next();
+    const std::string number = lexer_.kind == OwlToken::word && is_number_word(lexer_.text) ? lexer_.text : "0.5";
+    lexer_.fail(line, "a restriction to numbers names the datatype and puts the bounds in square brackets: " +
+                          local_name(graph_.terms[property].value) + " some xsd:double[" + mark + " " + number + "]");
 }
 
 Node ManchesterExpressions::restriction(Node on, long line) {
@@ -247,13 +258,19 @@ Node ManchesterExpressions::one_of() {
 Node ManchesterExpressions::facets(Node datatype, long line) {
     lexer_.next();
     std::vector<std::pair<Node, Node>> facets;
+    std::string number;  // the last one
     do {
+        if (!number.empty() && number.find('.') == std::string::npos && lexer_.kind == OwlToken::word &&
+            is_number_word(lexer_.text))
+            lexer_.fail(lexer_.line, "numbers take a decimal point: write " + number + "." + lexer_.text + " for " +
+                                         number + "," + lexer_.text);
         const Iri facet =
             lexer_.kind == OwlToken::word || lexer_.kind == OwlToken::mark ? facet_iri(lexer_.text) : Iri();
         if (facet.empty())
             lexer_.fail(lexer_.line,
                         "a facet such as '>=' or 'maxLength' is expected where " + lexer_.shown() + " stands");
         lexer_.next();
+        number = lexer_.kind == OwlToken::word ? lexer_.text : std::string();
         const Iri context = facet.ends_with("clusive") ? graph_.terms[datatype].value : Iri();
         facets.emplace_back(graph_.iri(facet, line), literal(context));
     } while (take_mark(","));

@@ -44,6 +44,7 @@ private:
     struct Nested;
     [[nodiscard]] Node conjunction();
     [[nodiscard]] Node restriction(Node on, long line);
+    [[noreturn]] void refuse_bare_comparison(Node property, long line);
     [[nodiscard]] Node one_of();
     [[nodiscard]] Node facets(Node datatype, long line);
     [[nodiscard]] Node atom();
