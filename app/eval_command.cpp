@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 
 #include "algorithms/object.h"
@@ -108,13 +109,58 @@ void name_wholes(const nlohmann::json& annotation, const std::vector<std::string
             label = *found->second.begin();
 }
 
+/// Whether a face of the mesh has a name in truth; a mesh of which none has is of no kind that the ontology knows.
+bool is_of_a_kind(const std::vector<std::string>& truth) {
+    return std::ranges::any_of(truth, [](const std::string& label) { return !label.empty() && label != "-"; });
+}
+
+/// The classes that an annotated object was recognised as, diagnoses left out; nullopt where the annotation is lost.
+std::optional<std::vector<std::string>> classes_of(const nlohmann::json& annotation) {
+    if (!annotation.is_object() || !annotation.contains("object") || !annotation.contains("diagnosis")) return {};
+    auto classes = annotation.at("object").at("classes").get<std::vector<std::string>>();
+    for (const auto& diagnosis : annotation.at("diagnosis")) std::erase(classes, diagnosis.at("concept"));
+    return classes;
+}
+
+/// The meshes of no kind: they have no share in the accuracies, but must not be recognised.
+struct NoKind {
+    std::vector<std::string> rightly_not_recognised, recognised, unknown;  ///< by name; the second with its classes
+
+    void add(const std::string& mesh, const nlohmann::json& annotation) {
+        const auto classes = classes_of(annotation);
+        if (!classes)
+            unknown.push_back(mesh);
+        else if (classes->empty())
+            rightly_not_recognised.push_back(mesh);
+        else
+            recognised.push_back(fmt::format("{} as {}", mesh, fmt::join(*classes, ", ")));
+    }
+
+    [[nodiscard]] std::size_t count() const {
+        return rightly_not_recognised.size() + recognised.size() + unknown.size();
+    }
+
+    /// "2 meshes of no kind: 1 rightly not recognised, 1 recognised (box as Table)".
+    [[nodiscard]] std::string in_words() const {
+        std::vector<std::string> said;
+        if (const std::size_t right = rightly_not_recognised.size(); right > 0)
+            said.push_back(fmt::format("{} rightly not recognised", right));
+        if (!recognised.empty())
+            said.push_back(fmt::format("{} recognised ({})", recognised.size(), fmt::join(recognised, "; ")));
+        if (!unknown.empty())
+            said.push_back(fmt::format("{} without annotation.json ({})", unknown.size(), fmt::join(unknown, ", ")));
+        return fmt::format("{} {} of no kind: {}", count(), count() == 1 ? "mesh" : "meshes", fmt::join(said, ", "));
+    }
+};
+
 /// A label of the truth that no face has may be called otherwise in the ontology.
 void note_unknown_labels(const std::string& mesh, const std::vector<std::string>& truth,
                          const std::vector<std::string>& labels) {
     const std::set<std::string> said(labels.begin(), labels.end());
     std::string names;
     for (const std::string& label : said)
-        if (!label.empty()) names += (names.empty() ? "" : ", ") + label;
+        if (!label.empty() && label != "-") names += (names.empty() ? "" : ", ") + label;
+    if (names.empty()) return;  // nothing has a name: then the object was not recognised
     if (std::ranges::any_of(truth, [&](const std::string& label) { return said.contains(label); })) return;
     fmt::print(stderr,
                "note: {}: no face has a name that the truth knows; the names are {}: give pairs, --names truth=Name\n",
@@ -158,7 +204,8 @@ struct Compared {
     SheetEntry entry;  ///< its title is the mesh's name
 };
 
-Compared compare(const Arguments& arguments, const fs::path& folder) {
+/// nullopt for a mesh of no kind, which is added to those.
+std::optional<Compared> compare(const Arguments& arguments, const fs::path& folder, NoKind& no_kind) {
     const std::string stem = stem_of(folder);
     Compared compared;
     SheetEntry& entry = compared.entry;
@@ -168,6 +215,10 @@ Compared compare(const Arguments& arguments, const fs::path& folder) {
     entry.truth = read_truth(truth_file(arguments.truth, stem).string(), entry.mesh.input_face_count,
                              parse_names(arguments.names));
     entry.labels = lines_of(folder / "labels.txt");
+    if (!is_of_a_kind(entry.truth)) {
+        no_kind.add(stem, annotation);
+        return std::nullopt;
+    }
     name_wholes(annotation, entry.truth, entry.labels);
     note_unknown_labels(stem, entry.truth, entry.labels);
     compared.result = evaluate_labels(entry.labels, entry.truth, input_face_areas(entry.mesh));
@@ -205,14 +256,16 @@ void write_pictures(const fs::path& folder, const std::map<std::string, std::map
     std::error_code error;
     fs::create_directories(folder, error);
     if (error) throw FileError(at(folder.string(), 0, "cannot be made: " + error.message()));
+    if (worst.empty()) return;  // every mesh is of no kind
     write_file(folder / "confusion.png", confusion_picture(confusion));
     write_file(folder / "worst.png", contact_sheet(worst));
 }
 
 int run_eval(const Arguments& arguments) {
     ordered_json results = ordered_json::array();
-    double mean = 0;
-    std::map<std::string, std::map<std::string, double>> confusion;  // mean over the meshes
+    double sum = 0, compared_count = 0;
+    std::map<std::string, std::map<std::string, double>> confusion;  // sum, then mean over the compared meshes
+    NoKind no_kind;
     Worst worst(arguments.worst);
     const std::vector<fs::path> folders = with_truth(annotated_folders(arguments.run_folder), arguments.truth);
     bool has_head = arguments.json;
@@ -222,13 +275,14 @@ int run_eval(const Arguments& arguments) {
                    "IoU by label");
     };
     for (const fs::path& folder : folders) {
-        Compared compared = compare(arguments, folder);
+        std::optional<Compared> compared = compare(arguments, folder, no_kind);
+        if (!compared) continue;
         print_head();
-        const auto& [result, boundaries, entry] = compared;
-        mean += result.area_accuracy / static_cast<double>(folders.size());
+        const auto& [result, boundaries, entry] = *compared;
+        sum += result.area_accuracy;
+        ++compared_count;
         for (const auto& [truth, row] : result.confusion)
-            for (const auto& [answer, share] : row)
-                confusion[truth][answer] += share / static_cast<double>(folders.size());
+            for (const auto& [answer, share] : row) confusion[truth][answer] += share;
         if (arguments.json) {
             results.push_back(
                 {{"mesh", entry.title},
@@ -245,14 +299,23 @@ int run_eval(const Arguments& arguments) {
             fmt::print("{:<24} {:>9.4f} {:>9.4f} {:>9.4f} {:>9.4f}  {}\n", entry.title, result.area_accuracy,
                        result.face_accuracy, result.rand_index_error, boundaries.f(), iou);
         }
-        if (!arguments.pictures.empty()) worst.add(result.area_accuracy, std::move(compared.entry));
+        if (!arguments.pictures.empty()) worst.add(result.area_accuracy, std::move(compared->entry));
     }
+    for (auto& [truth, row] : confusion)
+        for (auto& [answer, share] : row) share /= compared_count;
     if (!arguments.pictures.empty()) write_pictures(arguments.pictures, confusion, worst.take());
-    if (arguments.json)
-        fmt::print("{}\n",
-                   ordered_json{{"meshes", results}, {"mean_area_accuracy", mean}, {"confusion", confusion}}.dump(2));
-    else
-        fmt::print("{:<24} {:>9.4f}\n", "mean", mean);
+    if (arguments.json) {
+        const ordered_json mean = compared_count > 0 ? ordered_json(sum / compared_count) : ordered_json();
+        const ordered_json others = {{"rightly_not_recognised", no_kind.rightly_not_recognised},
+                                     {"recognised", no_kind.recognised},
+                                     {"unknown", no_kind.unknown}};
+        const ordered_json report = {
+            {"meshes", results}, {"mean_area_accuracy", mean}, {"confusion", confusion}, {"no_kind", others}};
+        fmt::print("{}\n", report.dump(2));
+        return recognised;
+    }
+    if (compared_count > 0) fmt::print("{:<24} {:>9.4f}\n", "mean", sum / compared_count);
+    if (no_kind.count() > 0) fmt::print("{}\n", no_kind.in_words());
     return recognised;
 }
 
