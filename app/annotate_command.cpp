@@ -243,11 +243,11 @@ std::string verdict(const Annotation& annotation) {
 std::string summary(const Annotation& annotation, const fs::path& folder) {
     std::vector<std::string> parts, composites;
     for (const AnnotatedPart& part : annotation.parts)
-        parts.push_back(part.names.empty() ? concept_of(part) : join(part.names, "+"));
-    for (const AnnotatedComposite& composite : annotation.composites)
-        composites.push_back(composite.names.empty() ? composite.concepts.front() : join(composite.names, "+"));
-    std::string named = parts.empty() ? "no parts" : counted(parts);
-    if (!composites.empty()) named += "; wholes: " + counted(composites);
+        if (!part.is_piece) parts.push_back(all_names_of(part));
+    for (const AnnotatedComposite& composite : annotation.composites) composites.push_back(all_names_of(composite));
+    std::string named = counted(parts);
+    if (!composites.empty()) named += (parts.empty() ? "wholes: " : "; wholes: ") + counted(composites);
+    if (named.empty()) named = "no parts";
     std::string related;  // only where the ontology has relations or composite parts
     for (const char* kind : {"T", "TF"})
         if (annotation.questions.at(kind) > 0) related += fmt::format(", {} {}", kind, annotation.questions.at(kind));

@@ -22,7 +22,7 @@ using nlohmann::ordered_json;
 
 struct Arguments {
     OntologyArguments ontology;
-    bool json = false;
+    bool json = false, all = false;
 };
 
 std::vector<std::string> concepts_of(const Space& space) {
@@ -132,16 +132,17 @@ Checked look_at(const OntologyArguments& arguments) {
     return checked;
 }
 
-/// All findings; of remarks about concepts that may hold together the first few stand for the rest.
-void print_findings(const Checked& checked) {
+/// All findings; of remarks about concepts that may hold together the first few stand for the rest, unless all are
+/// asked for.
+void print_findings(const Checked& checked, bool all) {
     constexpr std::ptrdiff_t shown = 3;
     const std::ptrdiff_t overlaps = std::ranges::count(checked.findings, FindingKind::overlapping, &Finding::kind);
     std::ptrdiff_t told = 0;
     for (const Finding& finding : checked.findings)
-        if (finding.kind != FindingKind::overlapping || overlaps <= shown + 1 || told++ < shown)
+        if (finding.kind != FindingKind::overlapping || all || overlaps <= shown + 1 || told++ < shown)
             print_finding(finding, checked.ontology);
     if (told > shown)
-        fmt::print("remark: {} more concepts may hold together with others; check --json lists them\n", told - shown);
+        fmt::print("remark: {} more concepts may hold together with others; check --all lists them\n", told - shown);
 }
 
 ordered_json as_json(const Checked& checked, bool is_wrong) {
@@ -185,7 +186,7 @@ int run_check(const Arguments& arguments) {
                         "combinations of answers make a composite part (there is none without the parts it asks for)");
         print_space(fmt::format("S{}, objects", checked.domain->object_layer()), checked.domain->objects());
     }
-    print_findings(checked);
+    print_findings(checked, arguments.all);
     if (wrong == 0)
         fmt::print("nothing wrong found\n");
     else
@@ -199,6 +200,7 @@ void add_check_command(CLI::App& app, Run& run) {
     auto arguments = std::make_shared<Arguments>();
     CLI::App& command = *app.add_subcommand("check", "layers, concepts and faults of an ontology");
     arguments->ontology.add_to(command, true);
+    command.add_flag("--all", arguments->all, "print every remark, however many");
     command.add_flag("--json", arguments->json, "print JSON, with the class hierarchy");
     command.callback([arguments, &run] { run = [arguments] { return run_check(*arguments); }; });
 }

@@ -23,7 +23,9 @@ struct Arguments {
     OntologyArguments ontology;
 };
 
-bool mentions(const std::string& text, const std::string& part) {
+/// What stands in brackets at the end of a fact is about other parts.
+bool mentions(const std::string& fact, const std::string& part) {
+    const std::string text = fact.substr(0, fact.find(" ["));
     for (std::size_t i = text.find(part); i != std::string::npos; i = text.find(part, i + 1))
         if (i + part.size() == text.size() || !std::isdigit(static_cast<unsigned char>(text[i + part.size()])))
             return true;
@@ -75,8 +77,13 @@ std::vector<std::string> bearers(const json& annotation, const std::string& name
         const auto concepts = each.at("concepts").get<std::vector<std::string>>();
         return std::ranges::find(concepts, name) != concepts.end();
     };
+    const auto is_in_a_bearer = [&](const json& part) {  // whose whole counts, not the piece
+        return std::ranges::any_of(annotation.at("composites"), [&](const json& each) {
+            return bears(each) && std::ranges::find(each.at("parts"), part.at("id")) != each.at("parts").end();
+        });
+    };
     for (const json& part : annotation.at("parts"))
-        if (bears(part)) found.push_back(fmt::format("part {}", part.at("id").get<int>()));
+        if (bears(part) && !is_in_a_bearer(part)) found.push_back(fmt::format("part {}", part.at("id").get<int>()));
     for (const json& composite : annotation.at("composites"))
         if (bears(composite)) {
             const auto parts = composite.at("parts").get<std::vector<int>>();
@@ -186,7 +193,7 @@ int run_explain(const Arguments& arguments) {
             print_in_short(annotation, diagnosis);
             if (diagnosis.contains("answers")) print_list("answers that lead to it", diagnosis.at("answers"));
             print_list("axioms that lead to it", diagnosis.at("axioms"));
-            print_list("cheapest corrections", diagnosis.at("corrections"));
+            print_list("what would repair it", diagnosis.at("corrections"));
         }
         if (arguments.all) print_all_explanations(arguments, annotation);
         return object.at("consistent").get<bool>() ? recognised : incompatible;

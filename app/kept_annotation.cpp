@@ -1,5 +1,6 @@
 #include "app/kept_annotation.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -16,7 +17,30 @@ std::filesystem::path annotation_path(const std::string& told) {
     return std::filesystem::is_regular_file(path, ignored) ? path : path / "annotation.json";
 }
 
+namespace {
+
+/// Where a folder holds no annotation, but its subfolders do, one of them is meant.
+void refuse_folder_of_many(const std::string& told) {
+    namespace fs = std::filesystem;
+    constexpr std::size_t shown = 6;
+    std::error_code ignored;
+    if (!fs::is_directory(told, ignored) || fs::exists(annotation_path(told), ignored)) return;
+    std::vector<std::string> folders;
+    for (const fs::directory_entry& entry : fs::directory_iterator(told, ignored))
+        if (fs::exists(entry.path() / "annotation.json", ignored))
+            folders.push_back((fs::path(told) / entry.path().filename()).string());
+    if (folders.empty()) return;
+    std::ranges::sort(folders);
+    std::string names;
+    for (std::size_t i = 0; i < std::min(shown, folders.size()); ++i) names += (i > 0 ? ", " : "") + folders[i];
+    if (folders.size() > shown) names += " and " + std::to_string(folders.size() - shown) + " more";
+    throw UsageError(at(told, 0, "holds several annotated meshes; name one of them: " + names));
+}
+
+}  // namespace
+
 json load_annotation(const std::string& told) {
+    refuse_folder_of_many(told);
     const std::filesystem::path path = annotation_path(told);
     json annotation = json::parse(read_file(path), nullptr, false);
     if (annotation.is_discarded() || !annotation.is_object())

@@ -4,7 +4,8 @@
  * answered (no unit, no algorithm), several names stay possible: then the part gets the name that holds in most of the
  * configurations that are left, its score is that fraction of the shape's, and the annotation lists the assumption
  * among its open questions. A part for which nothing can hold stays unnamed. What is incompatible only if such an
- * assumption is right is no class and no diagnosis: it is told as "perhaps".
+ * assumption is right is no class and no diagnosis: it is told as "perhaps". A part that is nothing but a helper is
+ * called by the smallest composite part that it belongs to.
  *
  * Score of a part: mean fitting score of its triangles times the `is a` score of its shape (paper §6.4). Score of the
  * object: mean of its parts' scores by area. */
@@ -217,6 +218,51 @@ std::vector<AnnotatedComposite> composite_parts(const Session& session, const Co
     return composites;
 }
 
+/// What a region of which only helpers hold is called by: the most specific concepts of the smallest composite part
+/// that it belongs to; empty where it belongs to none.
+std::vector<Iri> names_of_whole(const Domain& domain, const Conclusions& known, int region) {
+    const knowledge::CompositePart* smallest = nullptr;
+    std::vector<Iri> names;
+    for (const knowledge::CompositePart& part : known.composites) {
+        if (!std::ranges::binary_search(part.regions, region)) continue;
+        if (smallest && part.regions.size() >= smallest->regions.size()) continue;
+        const Space& space = domain.composites[static_cast<std::size_t>(part.group)].space;
+        std::vector<Iri> found;
+        for (const ConceptId c : entailed(space, part.possible)) {
+            const knowledge::Concept& concept_ = space.concepts[static_cast<std::size_t>(c)];
+            if (!concept_.incompatible && !concept_.iri.starts_with(owl::core_prefix) &&
+                !is_helper(domain, concept_.iri))
+                found.push_back(concept_.iri);
+        }
+        if (found.empty()) continue;
+        smallest = &part;
+        names = domain.most_specific(found);
+    }
+    return names;
+}
+
+/// Calls parts without a name of their own by the whole that they belong to.
+void name_by_wholes(const Domain& domain, const Conclusions& known, Annotation& annotation) {
+    for (AnnotatedPart& part : annotation.parts) {
+        if (!part.concepts.empty()) continue;
+        const std::vector<Iri> names = names_of_whole(domain, known, part.id - 1);
+        if (names.empty()) continue;
+        part.concepts = part.names = local_names(names);
+        part.color = annotation_of(domain, names.front(), "color");
+        part.is_piece = true;
+    }
+}
+
+/// Mean of the scores of the parts by area, those without a name counting 0.
+double score_of(const Annotation& annotation) {
+    double area = 0, scored_area = 0;
+    for (const AnnotatedPart& part : annotation.parts) {
+        area += part.area;
+        if (!part.concepts.empty()) scored_area += part.area * part.score;
+    }
+    return area > 0 ? scored_area / area : 0;
+}
+
 /// What an object comes nearest to, unless it is something that is no diagnosis.
 std::vector<NearClass> nearest_classes(const Domain& domain, const Conclusions& assumed,
                                        const std::vector<Iri>& classes) {
@@ -275,8 +321,10 @@ Verdict verdict_of(const Session& session, const Cut& cut) {
         const auto found = place.find(session.part(region).region.triangles.front());
         if (found == place.end()) continue;
         cut[found->second]->measurements.surroundings = session.measurements(region).surroundings;  // for the next cut
-        if (naming.concepts.empty()) continue;
-        verdict.regions[found->second] = {owl::local_name(specific_first(domain, naming.concepts).front()),
+        const std::vector<Iri> names =
+            naming.concepts.empty() ? names_of_whole(domain, known, region) : specific_first(domain, naming.concepts);
+        if (names.empty()) continue;
+        verdict.regions[found->second] = {owl::local_name(names.front()),
                                           naming.certainty * fuzzy_membership(session, region)};
     }
     verdict.is_consistent = !known.contradiction && known.diagnoses.empty();
@@ -384,22 +432,19 @@ Annotation annotate(const Domain& domain, const Catalogue& catalogue, const Obje
     std::vector<Naming> namings;
     Annotation annotation;
     annotation.part_of_triangle.assign(object.mesh.triangles.size(), -1);
-    double area = 0, scored_area = 0;
     for (int region = 0; region < session.region_count(); ++region) {
         const ConfigurationSet& possible = known.regions[static_cast<std::size_t>(region)];
         namings.push_back(name_region(session, possible));
         annotation.parts.push_back(make_part(session, region, possible, namings.back()));
-        const AnnotatedPart& part = annotation.parts.back();
-        for (const int t : part.triangles) annotation.part_of_triangle[static_cast<std::size_t>(t)] = region;
-        area += part.area;
-        if (!part.concepts.empty()) scored_area += part.area * part.score;
+        for (const int t : annotation.parts.back().triangles)
+            annotation.part_of_triangle[static_cast<std::size_t>(t)] = region;
     }
-    annotation.score = area > 0 ? scored_area / area : 0;
-    label_faces(object, annotation);
-
     const Conclusions assumed = conclude_with_assumptions(session, knowledge, known, namings);
     const std::vector<Iri> perhaps = perhaps_incompatible(known, assumed);
     annotation.perhaps = local_names(perhaps);
+    name_by_wholes(domain, assumed, annotation);
+    annotation.score = score_of(annotation);
+    label_faces(object, annotation);
     annotation.composites = composite_parts(session, assumed, perhaps);
     std::vector<Iri> classes;
     for (const ConceptId c : entailed(*assumed.objects, assumed.object)) {
@@ -424,6 +469,7 @@ Annotation annotate(const Domain& domain, const Catalogue& catalogue, const Obje
                             {"T", session.related_count},
                             {"TF", session.find_related_count},
                             {"read_off", session.read_off_count}};
+    session.tell_measured_relations();
     annotation.trace = std::move(session.trace);
     for (const auto& [stage, ms] : object.times) annotation.timings_ms.emplace_back("find parts: " + stage, ms);
     const auto ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();

@@ -20,6 +20,7 @@ struct AnnotatedPart {
     std::map<std::string, double> measurements;   ///< metres and degrees
     std::string color;                            ///< "#rrggbb" to draw it in; empty: choose one
     std::vector<std::string> names = {};          ///< the most specific of `concepts` that are no diagnoses
+    bool is_piece = false;  ///< only helpers hold of it: `concepts` are of the whole it belongs to
 };
 
 /// A part made of parts, of a layer between parts and object.

@@ -228,6 +228,11 @@ std::vector<std::string> open_questions(const Session& session, const knowledge:
             conditions.push_back(fmt::format("part {} is {}", region + 1, assumption(region)));
         open.push_back(fmt::format("perhaps {}, if {}", owl::local_name(iri), fmt::join(conditions, " and ")));
     }
+    const auto is_in_a_whole = [&](int region) {
+        return std::ranges::any_of(assumed.composites, [&](const knowledge::CompositePart& whole) {
+            return std::ranges::binary_search(whole.regions, region);
+        });
+    };
     for (int region = 0; region < session.region_count(); ++region) {
         const Naming& naming = namings[static_cast<std::size_t>(region)];
         const ConfigurationSet& possible = known.regions[static_cast<std::size_t>(region)];
@@ -237,7 +242,7 @@ std::vector<std::string> open_questions(const Session& session, const knowledge:
                             what_would_decide(session, region, possible, where(domain, naming.concepts.front()))));
         else if (session.possible(region).is_empty())
             open.push_back(fmt::format("part {}: its answers contradict the axioms", region + 1));
-        else if (naming.concepts.empty())
+        else if (naming.concepts.empty() && !is_in_a_whole(region))
             open.push_back(fmt::format("part {} is nothing that the ontology names", region + 1));
     }
     add_composites(session, knowledge, assumed, open);

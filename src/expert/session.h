@@ -50,6 +50,10 @@ public:
     /// belong to one only since.
     void find_connections();
 
+    /// Adds to what the trace tells of relations how far off they are: what was measured between the part and those
+    /// that come nearest to what was asked for. At the end, since it measures what the questions could do without.
+    void tell_measured_relations();
+
     /// Whether the values of a variable are read off a region as soon as it is cut, so that no question is asked:
     /// numbers, and range concepts whose values all cost 0.
     [[nodiscard]] bool is_measured(int variable) const { return measured_[index(variable)] != 0; }
@@ -160,6 +164,14 @@ private:
     std::optional<RelatedIndex> index_;  ///< of all regions that were there when it was made
     int indexed_ = 0;                    ///< how many
     std::map<knowledge::RelationTuple, std::optional<double>> related_;
+    struct ToldRelation {
+        std::size_t entry;  ///< place in the trace
+        std::size_t facts;  ///< how many there were in `inferred`, the answer being the last; 0: it is the entry itself
+        int region;
+        knowledge::Question question;
+        bool yes;
+    };
+    std::vector<ToldRelation> told_;
 };
 
 /// How an object is questioned; the paper's Table 3 compares them.

@@ -9,6 +9,7 @@
 #include <span>
 #include <utility>
 
+#include "expert/relation_in_numbers.h"
 #include "expert/session.h"
 #include "expert/session_words.h"
 
@@ -18,6 +19,9 @@ namespace {
 using knowledge::ConceptId;
 using knowledge::ConfigurationSet;
 using knowledge::Question;
+
+constexpr int most_parts_measured = 200;        // of an object whose relations are told in numbers
+constexpr std::size_t most_relations_told = 2;  // for one answer
 
 const std::string connected_iri = std::string(owl::core_prefix) + "Connected";
 
@@ -196,13 +200,46 @@ std::optional<bool> Session::ask_relation(int region, Question question) {
     const ConfigurationSet before = possible(region);
     learn(region, question, yes, answer.score);
     // It may have taken several T and TF, of which the last is followed by what they say together, or none.
-    if (trace.size() == asked_before)
+    if (trace.size() == asked_before) {
         trace.push_back({"known", in_words(region, question), region_name(region), yes ? "yes" : "no", answer.score});
-    else
+    } else {
         trace.back().inferred.push_back(in_words(region, question) + (yes ? ": yes" : ": no"));
+    }
+    told_.push_back({trace.size() - 1, trace.back().inferred.size(), region, question, yes});
     std::vector<std::string>& inferred = trace.back().inferred;
     for (std::string& text : consequences(region, before, question)) inferred.push_back(std::move(text));
     return yes;
+}
+
+void Session::tell_measured_relations() {
+    if (region_count() > most_parts_measured) return;
+    for (const auto& [entry, facts, region, question, yes] : std::exchange(told_, {})) {
+        const auto feature = index(domain_.regions.variables[index(question.variable)].index);
+        std::vector<std::pair<double, knowledge::RelationTuple>> nearest;
+        for (auto& [truth, node] : nodes_in_question(domain_, domain_.relational[feature], region, possible_)) {
+            const auto found = related_.find(node);
+            if (found != related_.end() && found->second) nearest.emplace_back(-*found->second, std::move(node));
+        }
+        std::ranges::sort(nearest);
+        if (nearest.size() > most_relations_told) nearest.resize(most_relations_told);
+        std::string text;
+        for (const auto& [score, node] : nearest) {
+            std::vector<const RegionPlace*> places;
+            std::string others;
+            for (const int each : node.regions) {
+                places.push_back(&place(each));
+                if (each != region) others += (others.empty() ? "" : " and ") + region_name(each);
+            }
+            const std::string numbers = relation_in_numbers(domain_.relations[node.relation].criteria, scene(), places);
+            if (!numbers.empty()) text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", others, numbers);
+        }
+        if (text.empty()) continue;
+        std::vector<std::string>& inferred = trace[entry].inferred;
+        if (facts > 0)
+            inferred[facts - 1] += " [" + text + "]";
+        else
+            inferred.insert(inferred.begin(), in_words(region, question) + (yes ? ": yes [" : ": no [") + text + "]");
+    }
 }
 
 }  // namespace partonomy

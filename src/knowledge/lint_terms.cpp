@@ -11,6 +11,28 @@
 // like it and the rest is a core term, such as "http://w3id.org/partonomy/core#Board".
 
 namespace partonomy::knowledge {
+namespace {
+
+/// "line 12", "lines 12, 14", "no axiom": where axioms outside core name a term; the first three of more.
+std::string lines_with(const owl::Ontology& ontology, const Iri& term) {
+    constexpr std::size_t shown = 3;
+    std::set<long> lines;
+    for (const owl::Axiom& axiom : ontology.axioms)
+        owl::for_each_name(axiom, [&](const Iri& iri) {
+            if (iri == term && !axiom.source.file.ends_with("core.ttl")) lines.insert(axiom.source.line);
+        });
+    if (lines.empty()) return "no axiom";
+    std::string text = lines.size() > 1 ? "lines " : "line ";
+    std::size_t told = 0;
+    for (const long line : lines) {
+        if (told == shown) return text + " …";
+        text += (told++ > 0 ? ", " : "") + std::to_string(line);
+    }
+    return text;
+}
+
+}  // namespace
+
 std::vector<Finding> unknown_terms(const owl::Ontology& ontology) {
     static const owl::Ontology core = owl::parse_ontology(owl::core_ontology_text(), "core.ttl");
     std::set<Iri> terms;
@@ -86,13 +108,15 @@ std::vector<Finding> unknown_terms(const owl::Ontology& ontology) {
         const std::string name = owl::local_name(entity.iri);
         const bool is_twin = !entity.iri.starts_with(prefix) && terms.contains(prefix + name);
         if (is_twin && findings.size() == before)
-            findings.push_back({FindingKind::unknown_term,
-                                false,
-                                {entity.iri},
-                                entity.source,
-                                name + " of this ontology and core:" + name + " are two things of one name",
-                                "name yours otherwise, or mean core:" + name,
-                                {}});
+            findings.push_back(
+                {FindingKind::unknown_term,
+                 false,
+                 {entity.iri},
+                 entity.source,
+                 name + " of this ontology and core:" + name + " are two things of one name: yours is meant in " +
+                     lines_with(ontology, entity.iri) + ", core's in " + lines_with(ontology, prefix + name),
+                 "name yours otherwise, or mean core:" + name,
+                 {}});
     }
     return findings;
 }

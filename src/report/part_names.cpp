@@ -10,6 +10,14 @@ namespace partonomy {
 
 std::string concept_of(const AnnotatedPart& part) { return part.concepts.empty() ? "unnamed" : part.concepts.front(); }
 
+std::string all_names_of(const AnnotatedPart& part) {
+    return part.names.empty() ? concept_of(part) : join(part.names, "+");
+}
+
+std::string all_names_of(const AnnotatedComposite& composite) {
+    return composite.names.empty() ? composite.concepts.front() : join(composite.names, "+");
+}
+
 namespace {
 
 /// Makes names different by numbers where one occurs more than once.

@@ -12,6 +12,11 @@ namespace partonomy {
 /// The most specific concept of a part, "unnamed" when it has none.
 [[nodiscard]] std::string concept_of(const AnnotatedPart& part);
 
+/// All that a part, or a composite part, is called, diagnoses left out: "Handle+Head" where two names hold. What counts
+/// as one name (labels.txt, eval) is the first.
+[[nodiscard]] std::string all_names_of(const AnnotatedPart& part);
+[[nodiscard]] std::string all_names_of(const AnnotatedComposite& composite);
+
 /// One display name a part, all different: "Seat" where the concept occurs once, else "Leg 1", "Leg 2" …
 [[nodiscard]] std::vector<std::string> part_names(const Annotation& annotation);
 

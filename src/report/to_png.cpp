@@ -60,7 +60,8 @@ struct Entry {
 std::vector<Entry> make_entries(const Annotation& annotation) {
     std::vector<Entry> entries;
     for (const AnnotatedPart& part : annotation.parts) {
-        const std::string name = concept_of(part);
+        if (part.is_piece) continue;  // its whole stands for it, below
+        const std::string name = all_names_of(part);
         auto entry = std::ranges::find(entries, name, &Entry::name);
         if (entry == entries.end()) entry = entries.insert(entry, Entry{.name = name, .colors = {}});
         ++entry->parts;
@@ -74,10 +75,9 @@ std::vector<Entry> make_entries(const Annotation& annotation) {
     const std::size_t of_parts = entries.size();
     for (const AnnotatedComposite& composite : annotation.composites) {
         const auto first = entries.begin() + static_cast<std::ptrdiff_t>(of_parts);
-        auto entry =
-            std::find_if(first, entries.end(), [&](const Entry& e) { return e.name == composite.concepts.front(); });
-        if (entry == entries.end())
-            entry = entries.insert(entry, Entry{.name = composite.concepts.front(), .colors = {}});
+        const std::string name = all_names_of(composite);
+        auto entry = std::find_if(first, entries.end(), [&](const Entry& e) { return e.name == name; });
+        if (entry == entries.end()) entry = entries.insert(entry, Entry{.name = name, .colors = {}});
         ++entry->parts;
         for (const int id : composite.parts)
             if (const AnnotatedPart* part = find_part(annotation, id);

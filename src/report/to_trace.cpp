@@ -143,7 +143,7 @@ std::string diagnoses(const Annotation& annotation) {
         text += "  " + one_line(diagnosis.concept_name) + ", because of " + culprits(annotation, diagnosis) + "\n";
         text += list("from these answers:", diagnosis.answers, false);
         text += list("and these axioms:", diagnosis.axioms, false);
-        text += list("What would repair it, cheapest first:", diagnosis.corrections, true);
+        text += list("What would repair it:", diagnosis.corrections, true);
     }
     return text;
 }

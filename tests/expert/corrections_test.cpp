@@ -1,0 +1,110 @@
+/* Corrections of what is wrong with an object: each mends it, and the first leave it what it is. The second opinion is
+ * what follows from the answers when those of a correction are turned round. */
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/files.h"
+#include "examples/lamps.h"
+#include "examples/objects.h"
+#include "expert/annotate.h"
+
+namespace partonomy {
+namespace {
+
+using Names = std::vector<std::string>;
+
+Names object_names(const knowledge::Conclusions& known) {
+    Names names;
+    for (const knowledge::ConceptId c : entailed(*known.objects, known.object))
+        names.push_back(owl::local_name(known.objects->concepts[static_cast<std::size_t>(c)].iri));
+    return names;
+}
+
+/// Looks at every diagnosis; returns whether the first correction of each leaves the object what it is.
+bool expect_sound(const knowledge::Domain& domain, const Annotation& annotation) {
+    bool keeps_all = true;
+    const knowledge::Knowledge knowledge = recall(domain, static_cast<int>(annotation.parts.size()),
+                                                  annotation.is_complete, annotation.answers, annotation.connected);
+    Names classes = annotation.classes;
+    for (const Diagnosis& diagnosis : annotation.diagnosis) std::erase(classes, diagnosis.concept_name);
+    for (const Diagnosis& diagnosis : annotation.diagnosis) {
+        SCOPED_TRACE(diagnosis.concept_name);
+        EXPECT_EQ(diagnosis.corrections.size(), diagnosis.changes.size());
+        EXPECT_LE(diagnosis.corrections.size(), 8U);
+        std::pair<bool, double> before{false, 0};
+        for (std::size_t k = 0; k < diagnosis.changes.size(); ++k) {
+            SCOPED_TRACE(diagnosis.corrections[k]);
+            knowledge::Knowledge changed = knowledge;
+            double cost = 0;
+            for (const std::size_t i : diagnosis.changes[k].answers) {
+                changed.answers[i].yes = !changed.answers[i].yes;
+                cost += annotation.answers[i].score - 0.5;
+            }
+            EXPECT_NEAR(cost, diagnosis.changes[k].cost, 1e-9);
+            const knowledge::Conclusions after = conclude(domain, changed);
+            EXPECT_FALSE(after.contradiction);
+            const Names names = object_names(after);
+            EXPECT_EQ(std::ranges::count(names, diagnosis.concept_name), 0);
+            const bool keeps = std::ranges::all_of(
+                classes, [&](const std::string& name) { return std::ranges::find(names, name) != names.end(); });
+            EXPECT_EQ(keeps, diagnosis.corrections[k].find("then it is not") == std::string::npos);
+            const std::pair now{!keeps, std::round(10 * cost)};
+            EXPECT_LE(before, now);
+            before = now;
+            if (k == 0) keeps_all &= keeps;
+        }
+        EXPECT_FALSE(diagnosis.changes.empty());
+    }
+    return keeps_all;
+}
+
+TEST(Corrections, LeaveTheObjectWhatItIsFirst) {
+    const auto annotate_with = [](const knowledge::Domain& domain, const TriangleMesh& mesh) {
+        const Catalogue catalogue = make_catalogue(domain);
+        return annotate(domain, catalogue, make_object(mesh, {}));
+    };
+    int diagnosed = 0;
+    const knowledge::Domain of_lamps =
+        knowledge::compile(owl::load_ontology(PARTONOMY_SOURCE_DIR "/ontologies/lamps.omn"));
+    for (const ExampleObject& lamp : lamps()) {
+        if (lamp.incompatibility.empty()) continue;
+        SCOPED_TRACE(lamp.name);
+        const Annotation annotation = annotate_with(of_lamps, lamp.mesh);
+        diagnosed += !annotation.diagnosis.empty();
+        EXPECT_TRUE(expect_sound(of_lamps, annotation));
+        EXPECT_NE(annotation.diagnosis.at(0).corrections.at(0).find("does it stand firmly: yes"), std::string::npos)
+            << annotation.diagnosis.at(0).corrections.at(0);
+    }
+    const knowledge::Domain furniture =
+        knowledge::compile(owl::load_ontology(PARTONOMY_SOURCE_DIR "/ontologies/paper-furniture.ttl"));
+    for (const ExampleObject& object : paper_objects()) {
+        SCOPED_TRACE(object.name);
+        const Annotation annotation = annotate_with(furniture, object.mesh);
+        diagnosed += !annotation.diagnosis.empty();
+        expect_sound(furniture, annotation);
+    }
+    EXPECT_GE(diagnosed, 2);
+}
+
+/// Both arms are wrong: neither alone mends it, and to turn both costs more than to say that it is no such lamp.
+TEST(Corrections, OfTwoPartsWithTheSameFault) {
+    const std::string text = read_file(PARTONOMY_SOURCE_DIR "/ontologies/lamps.omn") +
+                             "\nClass: :LongArm\n    SubClassOf: core:Incompatible\n    EquivalentTo: :TwinLamp and "
+                             "(core:hasPart some (:Arm and (core:length some xsd:double[>= 0.01])))\n";
+    const knowledge::Domain domain = knowledge::compile(owl::parse_ontology(text, "lamps.omn"));
+    const Catalogue catalogue = make_catalogue(domain);
+    const Annotation annotation = annotate(domain, catalogue, make_object(lamps().back().mesh, {}));
+    ASSERT_EQ(annotation.diagnosis.size(), 1U);
+    EXPECT_EQ(annotation.diagnosis[0].parts.size(), 2U);
+    EXPECT_TRUE(expect_sound(domain, annotation));
+    ASSERT_FALSE(annotation.diagnosis[0].changes.empty());
+    EXPECT_EQ(annotation.diagnosis[0].changes[0].answers.size(), 2U) << annotation.diagnosis[0].corrections[0];
+    EXPECT_NE(annotation.diagnosis[0].corrections[0].find("length"), std::string::npos)
+        << "the rule asks for it; " << annotation.diagnosis[0].corrections[0];
+}
+
+}  // namespace
+}  // namespace partonomy
