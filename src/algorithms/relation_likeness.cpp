@@ -167,10 +167,12 @@ void add_likeness_measures(std::vector<RelationMeasure>& measures) {
         measures.push_back({name, 2, unit, description, value, range});
     };
     add(
-        "angle", "degrees", "between their directions: a stick's axis, the normal of anything else",
+        "angle", "degrees",
+        "between a stick's axis, or the plane of the largest side of anything else, and the other's",
         [](const Scene&, Regions r) -> std::optional<double> { return angle_between(r, false); }, nullptr);
     add(
-        "off square", "degrees", "how much their directions are off a right angle",
+        "off square", "degrees",
+        "how much a stick's axis, or the plane of anything else, is off a right angle to the other's",
         [](const Scene&, Regions r) -> std::optional<double> { return angle_between(r, true); }, nullptr);
     add("plane offset", "diagonal", "how far their planes are apart, in the middle or on one side; only flat regions",
         plane_offset, nullptr);

@@ -303,6 +303,10 @@ std::vector<Case> round_cases() {
         shapes("SameSize", Truth::yes, {rod({0.5, 0.5, 0.3}), rod({1.3, 0.5, 0.4}, 0.6, 0, 40)}),
         shapes("SameSize", Truth::no, {ball({0.4, 0.5, 0.3}), ball({1.4, 0.5, 0.4}, 0.2)}),
         shapes("SameSize", Truth::border, {rod({0.5, 0.5, 0.3}), rod({1.3, 0.5, 0.4}, 0.6 * std::exp(0.2))}, 0.1),
+        // A disc counts by its plane: what lies on it is parallel, what stands on it orthogonal.
+        shapes("Orthogonal", Truth::no, {rod({0.6, 0.5, 0.38}), disc({0.6, 0.5, 0.04})}),
+        shapes("Parallel", Truth::yes, {rod({0.6, 0.5, 0.38}), disc({0.6, 0.5, 0.04})}),
+        shapes("Parallel", Truth::no, {rod({0.6, 0.5, 0.38}, 0.6, 90), disc({0.6, 0.5, 0.04})}),
     };
 }
 
