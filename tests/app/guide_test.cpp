@@ -2,7 +2,7 @@
    the editor from then on (a frame replaces the earlier one of its name), with short names as Protégé shows them; here
    they are put together as the file that it would save. Blocks marked `console` are run in order; the lines below a
    command are to come out of it, one after another, and "…" stands for any lines. What is marked `json` is saved as
-   said.json. */
+   said.json. Blocks marked `omn other` are of an ontology by itself, in which `check` finds nothing wrong. */
 
 #include <gtest/gtest.h>
 
@@ -137,7 +137,7 @@ void run_command(const std::string& command, const std::vector<std::string>& tol
 std::string follow_guide(const TemporaryFolder& folder) {
     fs::create_directories(folder.path() / "lamps");
     for (const ExampleObject& lamp : lamps()) folder.write("lamps/" + lamp.name + ".off", to_off(lamp.mesh));
-    Editor editor;
+    Editor editor, other;
     std::string block, command;
     std::string said;
     std::vector<std::string> told;
@@ -159,6 +159,8 @@ std::string follow_guide(const TemporaryFolder& folder) {
             editor.type(line);
         } else if (block == "json") {
             said += line + '\n';
+        } else if (block == "omn other") {
+            other.type(line);
         } else if (block == "console" && line.starts_with("$ ")) {
             run();
             command = line;
@@ -167,6 +169,10 @@ std::string follow_guide(const TemporaryFolder& folder) {
         }
     }
     EXPECT_GE(commands, 9);
+    folder.write("other.omn", other.saved());
+    run_command("$ partonomy check other.omn",
+                {"…", "  concepts: Bowl, HammerHandle, Handle, Head, SpoonHandle", "…", "nothing wrong found"},
+                folder.path());
     return editor.saved();
 }
 
