@@ -289,9 +289,9 @@ private:
 
 }  // namespace
 
-std::string answer_in_words(const Domain& domain, const knowledge::Answer& answer, double score) {
-    return fmt::format("part {}: {}: {} ({:.2f})", answer.region + 1, to_text(domain.regions, answer.question, domain),
-                       answer.yes ? "yes" : "no", score);
+std::string answer_in_words(const Domain& domain, const knowledge::Answer& answer, double score, bool accepted) {
+    return fmt::format("part {}: {}: {} ({})", answer.region + 1, to_text(domain.regions, answer.question, domain),
+                       answer.yes ? "yes" : "no", accepted ? "a person said so" : fmt::format("{:.2f}", score));
 }
 
 std::string axiom_in_words(const owl::Axiom& axiom) {
