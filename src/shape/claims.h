@@ -36,6 +36,9 @@ void fill(const Surface& surface, const Groups& free_pieces, Parts& parts);
 /// Joins pieces that are one box within the noise of the mesh, which tore them apart.
 void rejoin_torn_parts(const Surface& surface, Parts& parts);
 
+/// Makes one bar of two halves that the end of another stick parts.
+void join_halved_bars(const Surface& surface, Parts& parts);
+
 /// Gives the corner where two sticks meet end to end to the level one.
 void give_corners_to_level_sticks(const Surface& surface, const Vec3& up, Parts& parts);
 

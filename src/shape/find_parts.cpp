@@ -12,16 +12,15 @@
 //   claims     sticks are cut where a board crosses them; boards take their rims and corners (claims.cpp)
 //   fill       what is left goes to the part that reaches it first, concave creases being far to cross (fill.cpp)
 //   merge      two parts that face each other at close range, or continue each other, are one (merge.cpp); so are
-//   pieces
-//              of one box that noise tore apart (rejoin.cpp); the corner of two sticks is the level one's
-//              (stick_corners.cpp)
+//              pieces of one box that noise tore apart (rejoin.cpp) and the halves of a bar that another stick ends at;
+//              the corner of two sticks is the level one's (stick_corners.cpp)
 //   settle     borders of fine meshes move to the creases nearby (settle.cpp)
 //   vote       each triangle of the caller goes to the part that holds most of its area
 //   connect    pieces that came off their part go to a neighbour, or are parts (connect.cpp)
 //   boxes      smallest boxes with lengths that noise does not inflate, fitting scores (part_box.cpp)
 //
-// No step looks at a length that is not relative to a thickness or to the whole. `up` is used for
-// corners only: where a level and an upright part are flush, the corner belongs to the level one.
+// No step looks at a length that is not relative to a thickness or to the whole. `up` is used for corners only: where a
+// level and an upright part are flush, the corner belongs to the level one.
 //
 // Cost: O(n log n) for n triangles; most of it is Embree's tree and the rays.
 
@@ -161,6 +160,7 @@ std::vector<PartRegion> find_parts(const TriangleMesh& mesh, const FindPartsOpti
     clock.done("fill");
     if (options.is_joined) merge_parts(s, parts);
     if (options.is_joined && was_rough) rejoin_torn_parts(s, parts);
+    if (options.is_joined) join_halved_bars(s, parts);
     give_corners_to_level_sticks(s, options.up, parts);
     clock.done("merge");
     if (!is_refined || was_rough) settle_borders(s, parts);

@@ -1,14 +1,22 @@
-// Whose the corner is where two sticks meet end to end.
+// Whose the corner is where sticks meet.
 //
-// Cores end where the walls of the other stick begin to be seen, so filling leaves the corner cut anyhow. It belongs to
-// the level one, as that of two boards does: what is above rests on it, what is below carries it. The border is the
-// wall of the level stick that faces the other one, continued. A stick that goes on beyond the other has no corner to
-// give away. Cost: O(n), if there are such sticks.
+// End to end. // Cores end where the walls of the other stick begin to be seen, so filling leaves the corner cut
+// anyhow. It belongs to the level one, as that of two boards does: what is above rests on it, what is below carries it.
+// The border is the wall of the level stick that faces the other one, continued. A stick that goes on beyond the other
+// has no corner to give away.
+//
+// End to side. Where a stick ends at another one as thick, it may as well go through it and halve it. Of the two halves
+// and what lies between their walls, continued, one bar is made: it is simpler that one stick ends than that two do at
+// the same place and in line (good continuation; Wertheimer 1923). Two sticks that cross stay as they are, and so do
+// halves that a board lies across: a rear leg and a back post are two where the seat is.
+//
+// Cost: O(n), if there are such sticks.
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <set>
@@ -102,7 +110,99 @@ void draw_border(const Surface& s, const Stick& level, const Stick& other, std::
             part_of[i] = others;
 }
 
+/// Between two walls that face away from each other: where they are and how far apart.
+struct Across {
+    double near, far;  ///< along a direction, and against it
+    [[nodiscard]] double thickness() const { return near + far; }
+    [[nodiscard]] bool is_alike(const Across& other, double slack) const {
+        return std::abs(near - other.near) < slack && std::abs(far - other.far) < slack;
+    }
+};
+
+std::optional<Across> across(const Surface& s, const Stick& stick, const Vec3& direction) {
+    const auto near = stick.wall(s, direction), far = stick.wall(s, -direction);
+    if (!near || !far || !(*near + *far > 0)) return std::nullopt;
+    return Across{*near, *far};
+}
+
+/// The wall of a bar that a post stands on.
+struct Ground {
+    Vec3 up;       ///< out of the bar, along the post
+    double place;  ///< of the wall along it
+};
+
+/// Where two pieces are the halves of a bar that a post cuts: the wall that it should stand on.
+std::optional<Ground> ground_of_post(const Surface& s, const Stick& one, const Stick& other, const Stick& post) {
+    constexpr double in_line = 0.95, alike = 0.25, roomy = 1.25, stout = 1.5;
+    const Vec3 along = (other.middle - one.middle).normalized();
+    if (std::abs(along.dot(one.axis)) < in_line || std::abs(along.dot(other.axis)) < in_line) return std::nullopt;
+    if (std::abs(along.dot(post.axis)) > across_cosine) return std::nullopt;
+    Vec3 up = (post.axis - post.axis.dot(along) * along).normalized();
+    if ((post.middle - one.middle).dot(up) < 0) up = -up;
+    const Vec3 side = along.cross(up);
+    const auto height = across(s, one, up), other_height = across(s, other, up);
+    const auto width = across(s, one, side), other_width = across(s, other, side), post_width = across(s, post, along);
+    if (!height || !other_height || !width || !other_width || !post_width) return std::nullopt;
+    const double thickness = std::max(height->thickness(), width->thickness());
+    if (!height->is_alike(*other_height, alike * thickness) || !width->is_alike(*other_width, alike * thickness))
+        return std::nullopt;
+    if (post_width->thickness() > stout * thickness) return std::nullopt;
+    if (-other.end(s, -along) - one.end(s, along) > roomy * post_width->thickness()) return std::nullopt;
+    const double near = (height->near + other_height->near) / 2, far = (height->far + other_height->far) / 2;
+    if (post.end(s, -up) - far > alike * thickness) return std::nullopt;  // it goes on beyond
+    if (post.end(s, up) - near < long_enough * post_width->thickness()) return std::nullopt;
+    return Ground{up, near};
+}
+
+/// Whether a board lies across the place where two halves meet: a rear leg and a back post, say, at the seat.
+bool is_at_board(const Parts& parts, const Stick& one, const Stick& other) {
+    constexpr double lies_across = 0.7;
+    const Vec3 along = (other.middle - one.middle).normalized(), place = (one.middle + other.middle) / 2;
+    const double reach = (other.middle - one.middle).norm() / 2;
+    return std::ranges::any_of(parts.parts, [&](const Core& board) {
+        if (board.kind != Solidity::board || !(board.half > 0)) return false;
+        const double slope = board.normal.dot(along);
+        if (std::abs(slope) < lies_across) return false;
+        return std::abs((board.middle - place).dot(board.normal) / slope) < reach;
+    });
+}
+
 }  // namespace
+
+void join_halved_bars(const Surface& s, Parts& parts) {
+    const auto is_bar = [&](std::int32_t k) {
+        return k >= 0 && parts.parts[k].kind != Solidity::board && !parts.parts[k].triangles.empty();
+    };
+    std::map<std::int32_t, std::set<std::int32_t>> around;
+    std::vector<std::vector<std::int32_t>> members(parts.parts.size());
+    for (std::size_t i = 0; i < s.count(); ++i) {
+        const std::int32_t own = parts.part_of[i];
+        if (!is_bar(own)) continue;
+        members[own].push_back(static_cast<std::int32_t>(i));
+        for (const std::int32_t j : s.adjacency.neighbours[i])
+            if (j >= 0 && parts.part_of[j] != own && is_bar(parts.part_of[j])) around[own].insert(parts.part_of[j]);
+    }
+    std::vector<char> was_changed(parts.parts.size(), 0);
+    for (const auto& [post, others] : around)
+        for (const std::int32_t a : others)
+            for (const std::int32_t b : others) {
+                if (b <= a || was_changed[post] || was_changed[a] || was_changed[b]) continue;
+                const Stick one(s, members[a], parts.parts[a]), other(s, members[b], parts.parts[b]);
+                const Stick between(s, members[post], parts.parts[post]);
+                const auto ground = ground_of_post(s, one, other, between);
+                if (!ground || is_at_board(parts, one, other)) continue;
+                for (const std::int32_t i : between.triangles)
+                    if (s.geometry.barycentres[i].dot(ground->up) < ground->place) parts.part_of[i] = a;
+                for (const std::int32_t i : other.triangles) parts.part_of[i] = a;
+                Core &whole = parts.parts[a], &half = parts.parts[b];
+                whole.triangles.insert(whole.triangles.end(), half.triangles.begin(), half.triangles.end());
+                whole.area += half.area;
+                whole.kind = Solidity::stick;
+                half.triangles.clear();
+                half.area = 0;
+                was_changed[post] = was_changed[a] = was_changed[b] = 1;
+            }
+}
 
 void give_corners_to_level_sticks(const Surface& s, const Vec3& up, Parts& parts) {
     const auto is_stick = [&](std::int32_t k) { return parts.parts[k].kind == Solidity::stick; };
