@@ -27,6 +27,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "base/quantile.h"
 #include "base/ranges.h"
 #include "shape/corners.h"
 #include "shape/membership.h"
@@ -47,18 +48,6 @@ const double slanted_cosine = std::cos(15 * std::numbers::pi / 180);
 constexpr double least_membership = 0.001;  // a triangle of the part is not outside of it
 constexpr Trapezoid near_wall{0, 0, 0.12, 0.7};
 constexpr Trapezoid along_wall{0, 0, 40, 90};
-
-using Weighted = std::pair<double, double>;  // value, weight
-
-/// The value below which a share of the weight lies.
-double quantile(std::vector<Weighted>& values, double share) {
-    std::sort(values.begin(), values.end());
-    double total = 0, sum = 0;
-    for (const Weighted& value : values) total += value.second;
-    for (const Weighted& value : values)
-        if ((sum += value.second) >= share * total) return value.first;
-    return values.back().first;
-}
 
 struct Sides {
     Vec3 low, high;  ///< along the three axes

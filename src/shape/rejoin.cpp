@@ -20,6 +20,7 @@
 #include <set>
 #include <utility>
 
+#include "base/quantile.h"
 #include "shape/claims.h"
 
 namespace partonomy {
@@ -91,16 +92,6 @@ Eigen::Matrix3d wall_axes(const Surface& s, const std::vector<std::int32_t>& tri
     }
     axes.col(2) = axes.col(0).cross(axes.col(1));
     return axes;
-}
-
-/// The value below which a share of the weight lies.
-double quantile(std::vector<std::pair<double, double>>& values, double share) {
-    std::ranges::sort(values);
-    double total = 0, sum = 0;
-    for (const auto& [value, weight] : values) total += weight;
-    for (const auto& [value, weight] : values)
-        if ((sum += weight) >= share * total) return value;
-    return values.back().first;
 }
 
 /// The box whose sides are where the walls are; where there is no wall, it is where the part ends.

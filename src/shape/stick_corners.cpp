@@ -21,6 +21,7 @@
 #include <optional>
 #include <set>
 
+#include "base/quantile.h"
 #include "shape/claims.h"
 
 namespace partonomy {
@@ -34,17 +35,6 @@ constexpr double long_enough = 2;    // of its thickness is a stick with a direc
 constexpr double most_beyond = 0.5;  // of the thickness of the other one: farther, and the stick goes on
 constexpr double far_end = 0.02;     // of the area: what lies beyond is no end
 constexpr double least_wall = 0.04;  // of the area
-
-using Weighted = std::pair<double, double>;  // value, weight
-
-double quantile(std::vector<Weighted>& values, double share) {
-    std::ranges::sort(values);
-    double total = 0, sum = 0;
-    for (const auto& [value, weight] : values) total += weight;
-    for (const auto& [value, weight] : values)
-        if ((sum += weight) >= share * total) return value;
-    return values.back().first;
-}
 
 /// One stick: its triangles and the direction that none of its walls faces.
 struct Stick {
