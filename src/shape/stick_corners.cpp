@@ -144,6 +144,13 @@ std::optional<Ground> ground_of_post(const Surface& s, const Stick& one, const S
     return Ground{up, near};
 }
 
+template <class Is>
+std::size_t count_parts(const Parts& parts, const Is& is) {
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < parts.parts.size(); ++k) count += is(static_cast<std::int32_t>(k));
+    return count;
+}
+
 /// Whether a board lies across the place where two halves meet: a rear leg and a back post, say, at the seat.
 bool is_at_board(const Parts& parts, const Stick& one, const Stick& other) {
     constexpr double lies_across = 0.7;
@@ -163,6 +170,7 @@ void join_halved_bars(const Surface& s, Parts& parts) {
     const auto is_bar = [&](std::int32_t k) {
         return k >= 0 && parts.parts[k].kind != Solidity::board && !parts.parts[k].triangles.empty();
     };
+    if (count_parts(parts, is_bar) < 3) return;
     std::map<std::int32_t, std::set<std::int32_t>> around;
     std::vector<std::vector<std::int32_t>> members(parts.parts.size());
     for (std::size_t i = 0; i < s.count(); ++i) {
@@ -195,7 +203,10 @@ void join_halved_bars(const Surface& s, Parts& parts) {
 }
 
 void give_corners_to_level_sticks(const Surface& s, const Vec3& up, Parts& parts) {
-    const auto is_stick = [&](std::int32_t k) { return parts.parts[k].kind == Solidity::stick; };
+    const auto is_stick = [&](std::int32_t k) {
+        return parts.parts[k].kind == Solidity::stick && !parts.parts[k].triangles.empty();
+    };
+    if (count_parts(parts, is_stick) < 2) return;
     std::set<std::pair<std::int32_t, std::int32_t>> borders;
     std::vector<std::vector<std::int32_t>> members(parts.parts.size());
     for (std::size_t i = 0; i < s.count(); ++i) {
@@ -206,7 +217,6 @@ void give_corners_to_level_sticks(const Surface& s, const Vec3& up, Parts& parts
             if (j >= 0 && parts.part_of[j] > own && is_stick(parts.part_of[j])) borders.emplace(own, parts.part_of[j]);
     }
     for (const auto& [a, b] : borders) {
-        if (parts.parts[a].triangles.empty() || parts.parts[b].triangles.empty()) continue;
         const Stick first(s, members[a], parts.parts[a]), second(s, members[b], parts.parts[b]);
         const double rise = std::abs(first.axis.dot(up)) - std::abs(second.axis.dot(up));
         if (rise < -more_level) draw_border(s, first, second, a, b, parts.part_of);
