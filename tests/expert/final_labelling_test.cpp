@@ -13,6 +13,7 @@
 #include "expert/furniture.h"
 #include "report/write.h"
 #include "shape/part_box.h"
+#include "shape/solids.h"
 
 namespace partonomy {
 namespace {
@@ -142,6 +143,33 @@ Class: :Table
     EXPECT_EQ(counts(joined), (std::map<std::string, int>{{"Top", 1}, {"Leg", 4}}));
     EXPECT_TRUE(is_mended(joined));
     EXPECT_GT(share_right(table, joined, "Leg"), 0.99);
+}
+
+TEST(FinalLabelling, ABottleThatIsNothingAsOneStickIsCutAgain) {
+    const Domain bottles(R"(
+Prefix: : <http://example.org/b#>
+Prefix: core: <https://w3id.org/partonomy/core#>
+Prefix: owl: <http://www.w3.org/2002/07/owl#>
+Ontology: <http://example.org/b>
+    Import: <https://w3id.org/partonomy/core>
+Class: :Body
+    EquivalentTo: core:Region and (core:hasTaper some core:Even) and (core:hasPosition some core:Down)
+Class: :Neck
+    EquivalentTo: core:Region and (not :Body) and (core:hasPosition some core:Up) and (not (core:hasPosition some core:Down))
+Class: :Bottle
+    EquivalentTo: core:Object and (core:hasPart exactly 1 :Body) and (core:hasPart exactly 1 :Neck)
+)");
+    for (const double neck : {0.4, 0.45}) {
+        SCOPED_TRACE("neck " + std::to_string(neck));
+        solids::Outline corners{{0, 0}, {1, 0}, {1, 3.2}, {neck, 4.1}, {neck, 5.6}, {0, 5.6}};
+        solids::Outline profile = solids::polygon(corners, 0.1);
+        while (profile.back().x() == 0 && profile.back().y() < 5.6) profile.pop_back();
+        const TriangleMesh bottle = solids::revolve(profile, 64, true);
+        ASSERT_EQ(find_parts(bottle).size(), 1U);
+        const Annotation annotation = annotate(bottles.domain, bottles.catalogue, make_object(bottle, {}));
+        EXPECT_EQ(counts(annotation), (std::map<std::string, int>{{"Body", 1}, {"Neck", 1}}));
+        EXPECT_EQ(annotation.classes, std::vector<std::string>{"Bottle"});
+    }
 }
 
 TEST(FinalLabelling, IsTheSameOnTwoThreadsAndCountsWhatItAsked) {
