@@ -1,9 +1,9 @@
 // Whose the corner is where sticks meet.
 //
-// End to end. // Cores end where the walls of the other stick begin to be seen, so filling leaves the corner cut
-// anyhow. It belongs to the level one, as that of two boards does: what is above rests on it, what is below carries it.
-// The border is the wall of the level stick that faces the other one, continued. A stick that goes on beyond the other
-// has no corner to give away.
+// End to end. Cores end where the walls of the other stick begin to be seen, so filling leaves the corner cut anyhow.
+// It belongs to the level one, as that of two boards does: what is above rests on it, what is below carries it. The
+// border is the wall of the level stick that faces the other one, continued. A stick that goes on beyond the other has
+// no corner to give away.
 //
 // End to side. Where a stick ends at another one as thick, it may as well go through it and halve it. Of the two halves
 // and what lies between their walls, continued, one bar is made: it is simpler that one stick ends than that two do at
@@ -76,30 +76,6 @@ struct Stick {
     }
 };
 
-/// Draws the border of two sticks, of which the first is the level one, if they meet in a corner.
-void draw_border(const Surface& s, const Stick& level, const Stick& other, std::int32_t own, std::int32_t others,
-                 std::vector<std::int32_t>& part_of) {
-    if (std::abs(level.axis.dot(other.axis)) > across_cosine) return;
-    Vec3 to_other = (other.axis - other.axis.dot(level.axis) * level.axis).normalized();
-    if ((other.middle - level.middle).dot(to_other) < 0) to_other = -to_other;
-    Vec3 to_level = (level.axis - level.axis.dot(other.axis) * other.axis).normalized();
-    if ((level.middle - other.middle).dot(to_level) < 0) to_level = -to_level;
-    const auto near = level.wall(s, to_other), far = level.wall(s, -to_other);
-    const auto other_near = other.wall(s, to_level), other_far = other.wall(s, -to_level);
-    if (!near || !far || !other_near || !other_far) return;
-    const double thickness = *near + *far, other_thickness = *other_near + *other_far;
-    if (!(thickness > 0 && other_thickness > 0)) return;
-    if (other.end(s, to_other) - *near < long_enough * other_thickness) return;
-    if (level.end(s, to_level) - *other_near < long_enough * thickness) return;
-    if (other.end(s, -to_other) - *far > most_beyond * thickness) return;
-    if (level.end(s, -to_level) - *other_far > most_beyond * other_thickness) return;
-    for (const std::int32_t i : other.triangles)
-        if (s.geometry.barycentres[i].dot(to_other) < *near) part_of[i] = own;
-    for (const std::int32_t i : level.triangles)
-        if (s.geometry.barycentres[i].dot(to_other) > *near && s.geometry.barycentres[i].dot(to_level) < *other_near)
-            part_of[i] = others;
-}
-
 /// Between two walls that face away from each other: where they are and how far apart.
 struct Across {
     double near, far;  ///< along a direction, and against it
@@ -113,6 +89,28 @@ std::optional<Across> across(const Surface& s, const Stick& stick, const Vec3& d
     const auto near = stick.wall(s, direction), far = stick.wall(s, -direction);
     if (!near || !far || !(*near + *far > 0)) return std::nullopt;
     return Across{*near, *far};
+}
+
+/// Draws the border of two sticks, of which the first is the level one, if they meet in a corner.
+void draw_border(const Surface& s, const Stick& level, const Stick& other, std::int32_t own, std::int32_t others,
+                 std::vector<std::int32_t>& part_of) {
+    if (std::abs(level.axis.dot(other.axis)) > across_cosine) return;
+    Vec3 to_other = (other.axis - other.axis.dot(level.axis) * level.axis).normalized();
+    if ((other.middle - level.middle).dot(to_other) < 0) to_other = -to_other;
+    Vec3 to_level = (level.axis - level.axis.dot(other.axis) * other.axis).normalized();
+    if ((level.middle - other.middle).dot(to_level) < 0) to_level = -to_level;
+    const auto walls = across(s, level, to_other), other_walls = across(s, other, to_level);
+    if (!walls || !other_walls) return;
+    if (other.end(s, to_other) - walls->near < long_enough * other_walls->thickness()) return;
+    if (level.end(s, to_level) - other_walls->near < long_enough * walls->thickness()) return;
+    if (other.end(s, -to_other) - walls->far > most_beyond * walls->thickness()) return;
+    if (level.end(s, -to_level) - other_walls->far > most_beyond * other_walls->thickness()) return;
+    for (const std::int32_t i : other.triangles)
+        if (s.geometry.barycentres[i].dot(to_other) < walls->near) part_of[i] = own;
+    for (const std::int32_t i : level.triangles)
+        if (s.geometry.barycentres[i].dot(to_other) > walls->near &&
+            s.geometry.barycentres[i].dot(to_level) < other_walls->near)
+            part_of[i] = others;
 }
 
 /// The wall of a bar that a post stands on.
@@ -144,12 +142,28 @@ std::optional<Ground> ground_of_post(const Surface& s, const Stick& one, const S
     return Ground{up, near};
 }
 
-template <class Is>
-std::size_t count_parts(const Parts& parts, const Is& is) {
-    std::size_t count = 0;
-    for (std::size_t k = 0; k < parts.parts.size(); ++k) count += is(static_cast<std::int32_t>(k));
-    return count;
-}
+/// The parts that are asked about, and which of them meet.
+struct Meetings {
+    std::vector<std::vector<std::int32_t>> members;           ///< triangles, by part
+    std::set<std::pair<std::int32_t, std::int32_t>> borders;  ///< the lower number first
+
+    /// Looks at nothing where there are fewer than `least` such parts.
+    template <class IsAsked>
+    Meetings(const Surface& s, const Parts& parts, std::size_t least, const IsAsked& is_asked)
+        : members(parts.parts.size()) {
+        std::vector<char> asked(parts.parts.size());
+        for (std::size_t k = 0; k < asked.size(); ++k)
+            asked[k] = !parts.parts[k].triangles.empty() && is_asked(parts.parts[k]);
+        if (static_cast<std::size_t>(std::ranges::count(asked, 1)) < least) return;
+        for (std::size_t i = 0; i < s.count(); ++i) {
+            const std::int32_t own = parts.part_of[i];
+            if (own < 0 || !asked[own]) continue;
+            members[own].push_back(static_cast<std::int32_t>(i));
+            for (const std::int32_t j : s.adjacency.neighbours[i])
+                if (j >= 0 && parts.part_of[j] > own && asked[parts.part_of[j]]) borders.emplace(own, parts.part_of[j]);
+        }
+    }
+};
 
 /// Whether a board lies across the place where two halves meet: a rear leg and a back post, say, at the seat.
 bool is_at_board(const Parts& parts, const Stick& one, const Stick& other) {
@@ -167,26 +181,21 @@ bool is_at_board(const Parts& parts, const Stick& one, const Stick& other) {
 }  // namespace
 
 void join_halved_bars(const Surface& s, Parts& parts) {
-    const auto is_bar = [&](std::int32_t k) {
-        return k >= 0 && parts.parts[k].kind != Solidity::board && !parts.parts[k].triangles.empty();
-    };
-    if (count_parts(parts, is_bar) < 3) return;
+    const Meetings meetings(s, parts, 3, [](const Core& core) { return core.kind != Solidity::board; });
     std::map<std::int32_t, std::set<std::int32_t>> around;
-    std::vector<std::vector<std::int32_t>> members(parts.parts.size());
-    for (std::size_t i = 0; i < s.count(); ++i) {
-        const std::int32_t own = parts.part_of[i];
-        if (!is_bar(own)) continue;
-        members[own].push_back(static_cast<std::int32_t>(i));
-        for (const std::int32_t j : s.adjacency.neighbours[i])
-            if (j >= 0 && parts.part_of[j] != own && is_bar(parts.part_of[j])) around[own].insert(parts.part_of[j]);
-    }
+    for (const auto& [a, b] : meetings.borders) around[a].insert(b), around[b].insert(a);
+    std::map<std::int32_t, Stick> sticks;  // of parts that did not change
+    const auto stick_of = [&](std::int32_t k) -> const Stick& {
+        const auto found = sticks.find(k);
+        return found != sticks.end() ? found->second
+                                     : sticks.try_emplace(k, s, meetings.members[k], parts.parts[k]).first->second;
+    };
     std::vector<char> was_changed(parts.parts.size(), 0);
     for (const auto& [post, others] : around)
         for (const std::int32_t a : others)
             for (const std::int32_t b : others) {
                 if (b <= a || was_changed[post] || was_changed[a] || was_changed[b]) continue;
-                const Stick one(s, members[a], parts.parts[a]), other(s, members[b], parts.parts[b]);
-                const Stick between(s, members[post], parts.parts[post]);
+                const Stick &one = stick_of(a), &other = stick_of(b), &between = stick_of(post);
                 const auto ground = ground_of_post(s, one, other, between);
                 if (!ground || is_at_board(parts, one, other)) continue;
                 for (const std::int32_t i : between.triangles)
@@ -203,21 +212,9 @@ void join_halved_bars(const Surface& s, Parts& parts) {
 }
 
 void give_corners_to_level_sticks(const Surface& s, const Vec3& up, Parts& parts) {
-    const auto is_stick = [&](std::int32_t k) {
-        return parts.parts[k].kind == Solidity::stick && !parts.parts[k].triangles.empty();
-    };
-    if (count_parts(parts, is_stick) < 2) return;
-    std::set<std::pair<std::int32_t, std::int32_t>> borders;
-    std::vector<std::vector<std::int32_t>> members(parts.parts.size());
-    for (std::size_t i = 0; i < s.count(); ++i) {
-        const std::int32_t own = parts.part_of[i];
-        if (own < 0 || !is_stick(own)) continue;
-        members[own].push_back(static_cast<std::int32_t>(i));
-        for (const std::int32_t j : s.adjacency.neighbours[i])
-            if (j >= 0 && parts.part_of[j] > own && is_stick(parts.part_of[j])) borders.emplace(own, parts.part_of[j]);
-    }
-    for (const auto& [a, b] : borders) {
-        const Stick first(s, members[a], parts.parts[a]), second(s, members[b], parts.parts[b]);
+    const Meetings meetings(s, parts, 2, [](const Core& core) { return core.kind == Solidity::stick; });
+    for (const auto& [a, b] : meetings.borders) {
+        const Stick first(s, meetings.members[a], parts.parts[a]), second(s, meetings.members[b], parts.parts[b]);
         const double rise = std::abs(first.axis.dot(up)) - std::abs(second.axis.dot(up));
         if (rise < -more_level) draw_border(s, first, second, a, b, parts.part_of);
         if (rise > more_level) draw_border(s, second, first, b, a, parts.part_of);
