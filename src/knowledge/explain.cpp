@@ -287,17 +287,12 @@ bool still_holds(const Domain& domain, Knowledge knowledge, const Iri& concept_i
 
 /// The closed world of the mesh, where configuration spaces do not tell why; nullptr where they do. Composite parts are
 /// better explained by spaces, to which they are no given facts, as long as the conclusion is drawn there.
-/// `with_others`: composite parts that there might be if less were known are looked at, too, while they are few.
 std::unique_ptr<MeshReasoner> world_of(const Domain& domain, const Knowledge& knowledge, const Iri& concept_iri,
-                                       int region, bool with_others) {
-    constexpr std::size_t most_others = 40;
+                                       int region, bool to_explain) {
     if (!needs_mesh_world(domain, knowledge)) return nullptr;
     if (!domain.grounding->assembly.has_composites()) return std::make_unique<MeshReasoner>(domain, knowledge);
     if (is_concluded(domain, conclude_by_spaces(domain, knowledge), concept_iri, region)) return nullptr;
-    const std::vector<CompositePart> composites = *certain_composites(domain, knowledge);
-    std::optional<std::vector<CompositePart>> others;
-    if (with_others) others = other_composites(domain, knowledge, composites, most_others);
-    return std::make_unique<MeshReasoner>(domain, knowledge, composites, others.value_or(std::vector<CompositePart>{}));
+    return std::make_unique<MeshReasoner>(domain, knowledge, *certain_composites(domain, knowledge), to_explain);
 }
 
 }  // namespace

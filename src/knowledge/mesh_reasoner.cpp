@@ -6,11 +6,11 @@
    conflicts between selectors, corrections the cheapest sets of answers to give up (explanations.h).
 
    The world is told which composite parts there are. For explanations the regions are there a second time, as clauses
-   that say which composite parts they make (object_composites.cpp); both share the selectors of axioms and answers, and
-   what the world is told of a composite part only holds when the second formula makes it. So one minimal conflict of
-   both is minimal also in what makes composite parts. Without some of the answers there may be others: a leg that
-   nobody asked about may belong to the frame of its neighbour. While they are few, all that there might be are things
-   of this world, too, and of those that are not there nothing is told but that they are no part of the mesh.
+   that say which composite parts they make (object_composites.cpp); both share the selectors of axioms and answers.
+   Without some of the answers there may be other composite parts, of more regions or of fewer: a leg that nobody asked
+   about may belong to the frame of its neighbour. So this world has a thing for each region that may be the first of a
+   composite part of each kind, and what it is told of that (it is there, it has that region) holds when the second
+   formula makes it so, and no other time. One minimal conflict of both is minimal also in what makes composite parts.
 
    Cost: 20 parts with 5 features are 121 individuals, some 10,000 clauses and a few milliseconds; what properties of
    which nothing is known cost grows with the square of the individuals. */
@@ -29,36 +29,21 @@ namespace partonomy::knowledge {
 struct MeshReasoner::State {
     const Domain& domain;
     const Knowledge knowledge;
-    const std::vector<CompositePart> composites;  ///< those that there are, then others, both by group
-    const std::vector<char> is_certain;           ///< by composite part: that it is there
+    const bool to_explain;
+    const std::vector<CompositePart> certain;     ///< composite parts that there are
+    const std::vector<CompositePart> composites;  ///< to explain: those that there might be, else the certain ones
     MeshWorld mesh;
     GroundedWorld grounded;
     std::optional<Solver> solver;
 
-    State(const Domain& given, const Knowledge& known, const std::vector<CompositePart>& parts,
-          const std::vector<CompositePart>& others)
+    State(const Domain& given, const Knowledge& known, const std::vector<CompositePart>& parts, bool explains)
         : domain(given),
           knowledge(known),
-          composites(merged(parts, others)),
-          is_certain(certain(composites, parts)),
+          to_explain(explains && !given.composites.empty()),
+          certain(parts),
+          composites(to_explain ? candidate_composites(given, known) : parts),
           mesh(make_mesh_world(given, knowledge, composites)),
           grounded(mesh.world, limits(), questions(mesh)) {}
-
-    static std::vector<CompositePart> merged(std::vector<CompositePart> parts,
-                                             const std::vector<CompositePart>& others) {
-        parts.insert(parts.end(), others.begin(), others.end());
-        std::ranges::stable_sort(parts, {}, &CompositePart::group);  // each after those that lie within it
-        return parts;
-    }
-
-    static std::vector<char> certain(const std::vector<CompositePart>& all, const std::vector<CompositePart>& parts) {
-        std::vector<char> result;
-        for (const CompositePart& each : all)
-            result.push_back(std::ranges::any_of(parts, [&](const CompositePart& part) {
-                return part.group == each.group && part.regions == each.regions;
-            }));
-        return result;
-    }
 
     static GroundOptions limits() {
         GroundOptions options;
@@ -113,17 +98,8 @@ struct MeshReasoner::State {
     /// A solver in which every axiom and every answer holds.
     [[nodiscard]] Solver& everything() {
         if (!solver) {
-            std::vector<char> is_told(grounded.selectors().size(), 1);
-            std::vector<int> required;
-            for (const Told& told : told_composites()) {
-                if (std::ranges::all_of(told.composites, [&](std::size_t i) { return is_certain[i] != 0; })) continue;
-                is_told[told.axiom] = 0;
-                if (told.literal != 0) required.push_back(-told.literal);
-            }
             solver.emplace(grounded.clauses());
-            for (std::size_t i = 0; i < is_told.size(); ++i)
-                if (is_told[i]) required.push_back(grounded.selectors()[i]);
-            solver->require(required);
+            solver->require(grounded.selectors());
         }
         solver->add_new(grounded.clauses());
         return *solver;
@@ -148,29 +124,6 @@ struct MeshReasoner::State {
         }
     }
 
-    /// An axiom that holds when some composite parts are there.
-    struct Told {
-        std::size_t axiom;
-        std::vector<std::size_t> composites;
-        int literal;  ///< what it says, which is false otherwise; 0: anything
-    };
-    [[nodiscard]] std::vector<Told> told_composites() {
-        std::vector<Told> result;
-        for (const auto& [index, composite] : mesh.told_composites) {
-            const owl::Axiom& axiom = mesh.world.ontology.axioms[index];
-            Told told{index, {composite}, 0};
-            if (axiom.kind == owl::AxiomKind::object_property_assertion) {
-                told.literal = grounded.related(axiom.individuals[0], axiom.properties[0], axiom.individuals[1]);
-                for (std::size_t i = 0; i < composite; ++i)  // one that lies within it
-                    if (mesh.composites[i] == axiom.individuals[1]) told.composites.push_back(i);
-            } else if (axiom.classes[0]->kind == owl::ClassKind::named) {
-                told.literal = grounded.is_a(axiom.individuals[0], axiom.classes[0]->iri);
-            }
-            result.push_back(std::move(told));
-        }
-        return result;
-    }
-
     enum class Element { axiom, answer };
 
     /// What explanations and corrections are about: selectors, the goal's negation being required.
@@ -180,24 +133,39 @@ struct MeshReasoner::State {
         Solver solver;
     };
 
-    [[nodiscard]] int goal_literal(const Iri& concept_iri, int region) {
+    /// A way to be what is asked about: all of these hold. `part`: an exact composite part (of `certain`), or -1.
+    struct Goal {
+        int literal = 0;
+        int part = -1;
+    };
+
+    /// What may be meant: any region, or any composite part, unless one is given.
+    [[nodiscard]] std::vector<Goal> goals(const Iri& concept_iri, int region) {
         const int id = theory().find(concept_iri);
         if (id < 0) throw std::invalid_argument("explain: " + concept_iri + " is no concept");
         const Level level = theory().concepts[static_cast<std::size_t>(id)].level;
-        if (level != Level::region && level != Level::composite) return literal(mesh.object, id);
-        if (region >= 0) return literal(mesh.regions.at(static_cast<std::size_t>(region)), id);
-        for (const Iri& each : level == Level::region ? mesh.regions : mesh.composites)
-            if (const int candidate = literal(each, id);
-                everything().solve(std::vector{-candidate}) == Verdict::unsatisfiable)
-                return candidate;
-        throw std::invalid_argument("explain: " + concept_iri + " does not follow from what is known");
+        if (level != Level::region && level != Level::composite) return {{literal(mesh.object, id)}};
+        if (region >= 0) return {{literal(mesh.regions.at(static_cast<std::size_t>(region)), id)}};
+        std::vector<Goal> result;
+        if (level == Level::region)
+            for (const Iri& each : mesh.regions) result.push_back({literal(each, id)});
+        for (std::size_t i = 0; level == Level::composite && i < certain.size(); ++i)
+            result.push_back({literal(mesh.composites[place_of(certain[i])], id), static_cast<int>(i)});
+        return result;
+    }
+
+    /// The thing that stands for a composite part.
+    [[nodiscard]] std::size_t place_of(const CompositePart& part) const {
+        const auto found = std::ranges::find_if(composites, [&](const CompositePart& each) {
+            return each.group == part.group && each.regions[0] == part.regions[0];
+        });
+        return static_cast<std::size_t>(found - composites.begin());
     }
 
     [[nodiscard]] Question ask(const Iri& concept_iri, int region, bool axioms_are_given,
                                const std::vector<double>* costs) {
-        std::vector<int> given;
-        if (!concept_iri.empty()) given.push_back(-goal_literal(concept_iri, region));
-        const std::vector<Told> told = told_composites();
+        const std::vector<Goal> wanted = concept_iri.empty() ? std::vector<Goal>{} : goals(concept_iri, region);
+        const std::vector<Told> told = to_explain ? told_composites() : std::vector<Told>{};
         Question question{{}, {}, Solver(grounded.clauses())};
         const std::vector<int>& selectors = grounded.selectors();
         const std::size_t axioms = domain.ontology.axioms.size();
@@ -206,10 +174,10 @@ struct MeshReasoner::State {
             question.elements.emplace_back(element, index);
         };
         std::vector<char> follows(selectors.size(), 0);  // what is told of composite parts, from what makes them
-        if (!axioms_are_given && !composites.empty()) {
-            for (const Told& each : told) follows[each.axiom] = 1;
-            link_composites(question.solver, told);
-        }
+        for (const Told& each : told) follows[each.axiom] = 1;
+        std::vector<int> is_there;  // by certain composite part
+        if (to_explain) is_there = link_composites(question.solver, told);
+        std::vector<int> given;
         for (std::size_t i = 0; i < selectors.size(); ++i) {
             if (i < axioms && !axioms_are_given)
                 add(Element::axiom, i, i, 1);
@@ -219,40 +187,93 @@ struct MeshReasoner::State {
                 given.push_back(selectors[i]);
         }
         question.solver.require(given);
+        if (!concept_iri.empty()) require_not(question, wanted, is_there, concept_iri);
         return question;
     }
 
-    /// What is told of a composite part holds when there is one of just these regions, and no other time; which there
-    /// are follows from answers and axioms about regions.
-    void link_composites(Solver& into, const std::vector<Told>& told_of) const {
+    /// Requires that the first of the goals that follows does not hold.
+    static void require_not(Question& question, const std::vector<Goal>& goals, const std::vector<int>& is_there,
+                            const Iri& concept_iri) {
+        std::vector<int> everything;
+        for (const Selector& selector : question.selectors) everything.push_back(selector.literal);
+        for (const Goal& goal : goals) {
+            std::vector<int> all{goal.literal};
+            if (goal.part >= 0 && !is_there.empty()) all.push_back(is_there[static_cast<std::size_t>(goal.part)]);
+            const bool is_entailed = goals.size() == 1 || std::ranges::all_of(all, [&](int literal) {
+                                         everything.push_back(-literal);
+                                         const Verdict verdict = question.solver.solve(everything);
+                                         everything.pop_back();
+                                         return verdict == Verdict::unsatisfiable;
+                                     });
+            if (!is_entailed) continue;
+            for (int& literal : all) literal = -literal;
+            Clauses fails;
+            fails.add(all);
+            question.solver.add_more(fails);
+            return;
+        }
+        throw std::invalid_argument("explain: " + concept_iri + " does not follow from what is known");
+    }
+
+    /// What the world is told of a composite part, and the literal of that (0: there is none).
+    struct Told {
+        std::size_t axiom;
+        MeshWorld::Told what;
+        int literal;
+    };
+    [[nodiscard]] std::vector<Told> told_composites() {
+        std::vector<Told> result;
+        for (const MeshWorld::Told& each : mesh.told_composites) {
+            const owl::Axiom& axiom = mesh.world.ontology.axioms[each.axiom];
+            int literal = 0;
+            if (axiom.kind == owl::AxiomKind::object_property_assertion)
+                literal = grounded.related(axiom.individuals[0], axiom.properties[0], axiom.individuals[1]);
+            else if (axiom.classes[0]->kind == owl::ClassKind::named)
+                literal = grounded.is_a(axiom.individuals[0], axiom.classes[0]->iri);
+            result.push_back({each.axiom, each, literal});
+        }
+        return result;
+    }
+
+    /// What is told of a composite part holds when the regions make it so, and no other time; what they make follows
+    /// from answers and axioms about regions. Returns, for each of the certain composite parts, whether there is one of
+    /// just its regions.
+    std::vector<int> link_composites(Solver& into, const std::vector<Told>& told_of) const {
         const std::vector<int>& selectors = grounded.selectors();
         ObjectClauses object(theory());
         for (int region = 0; region < knowledge.region_count; ++region) static_cast<void>(object.add_region());
         for (const auto& [a, b] : knowledge.connected)
             object.touch(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
         object.require_constraints(Level::region);
-        std::vector<int> is_there;
-        for (const CompositePart& part : composites)
+        const auto says = [&](const MeshWorld::Told& told) {
+            const CompositePart& part = composites[told.composite];
+            const auto group = static_cast<std::size_t>(part.group), first = static_cast<std::size_t>(part.regions[0]);
+            if (told.region >= 0) return object.composite_has(group, first, static_cast<std::size_t>(told.region));
+            if (told.inner < 0) return object.composite(group, first);
+            const CompositePart& inner = composites[static_cast<std::size_t>(told.inner)];
+            return object.composite_has(group, first, static_cast<std::size_t>(inner.group),
+                                        static_cast<std::size_t>(inner.regions[0]));
+        };
+        std::vector<int> is_so, is_there, answers;
+        for (const Told& told : told_of) is_so.push_back(says(told.what));
+        for (const CompositePart& part : certain)
             is_there.push_back(object.composite(static_cast<std::size_t>(part.group),
                                                 std::vector<std::size_t>(part.regions.begin(), part.regions.end())));
-        std::vector<int> answers;
         for (const Answer& answer : knowledge.answers)
             answers.push_back(literal_of(domain, object, static_cast<std::size_t>(answer.region), answer));
         const int by = into.append(object.clauses);
-        const auto there = [&](int literal) { return literal > 0 ? literal + by : literal - by; };
+        const auto shifted = [&](int literal) { return literal > 0 ? literal + by : literal - by; };
         Clauses links;
-        for (const std::size_t axiom : object.axioms()) links.add({-selectors[axiom], there(object.selector(axiom))});
+        for (const std::size_t axiom : object.axioms()) links.add({-selectors[axiom], shifted(object.selector(axiom))});
         for (std::size_t i = 0; i < answers.size(); ++i)
-            links.add({-selectors[mesh.first_answer + i], there(answers[i])});
-        for (const Told& told : told_of) {
-            std::vector<int> premises;
-            for (const std::size_t i : told.composites) premises.push_back(-there(is_there[i]));
-            for (const int premise : premises)
-                if (told.literal != 0) links.add({-premise, -told.literal});
-            premises.push_back(selectors[told.axiom]);
-            links.add(premises);
+            links.add({-selectors[mesh.first_answer + i], shifted(answers[i])});
+        for (std::size_t i = 0; i < told_of.size(); ++i) {
+            links.add({-shifted(is_so[i]), selectors[told_of[i].axiom]});
+            if (told_of[i].literal != 0) links.add({shifted(is_so[i]), -told_of[i].literal});
         }
         into.add_more(links);
+        for (int& literal : is_there) literal = shifted(literal);
+        return is_there;
     }
 
     [[nodiscard]] Explanation explanation(const Question& question, const SelectorSet& set) const {
@@ -269,8 +290,8 @@ struct MeshReasoner::State {
 };
 
 MeshReasoner::MeshReasoner(const Domain& domain, const Knowledge& knowledge,
-                           const std::vector<CompositePart>& composites, const std::vector<CompositePart>& others)
-    : state_(std::make_unique<State>(domain, knowledge, composites, others)) {}
+                           const std::vector<CompositePart>& composites, bool to_explain)
+    : state_(std::make_unique<State>(domain, knowledge, composites, to_explain)) {}
 
 MeshReasoner::~MeshReasoner() = default;
 

@@ -319,22 +319,29 @@ private:
             const Iri& composite = result_.composites[i];
             for (const char* layer : {"Object", "Region", "Feature"})  // even one that is not there (mesh_reasoner.cpp)
                 is_a(composite, owl::complement_of(owl::named_class(core_term(layer))));
-            const std::size_t first = axioms().size();
+            const auto told = [&](int region, int inner) {
+                result_.told_composites.push_back({axioms().size() - 1, i, region, inner});
+            };
             is_a(composite, owl::named_class(core_term("CompositePart")));
+            told(-1, -1);
             for (int g = 0; g < static_cast<int>(groups.size()); ++g) {
                 const ClassPointer group = owl::named_class(group_class(g));
                 is_a(composite, g == composites[i].group ? group : owl::complement_of(group));
+                told(-1, -1);
             }
             relate(result_.object, has_part, composite);
-            for (const int region : composites[i].regions)
+            told(-1, -1);
+            for (const int region : composites[i].regions) {
                 relate(composite, has_part, result_.regions[static_cast<std::size_t>(region)]);
+                told(region, -1);
+            }
             for (std::size_t inner = 0; inner < i; ++inner)
                 if (std::ranges::binary_search(groups[static_cast<std::size_t>(composites[i].group)].inner,
                                                composites[inner].group) &&
-                    std::ranges::includes(composites[i].regions, composites[inner].regions))
+                    std::ranges::includes(composites[i].regions, composites[inner].regions)) {
                     relate(composite, has_part, result_.composites[inner]);
-            for (std::size_t axiom = first; axiom < axioms().size(); ++axiom)
-                result_.told_composites.emplace_back(axiom, i);
+                    told(-1, static_cast<int>(inner));
+                }
         }
     }
 
@@ -474,35 +481,23 @@ std::optional<std::vector<CompositePart>> composites_for_world(const Domain& dom
     return certain_composites(domain, knowledge);
 }
 
-std::optional<std::vector<CompositePart>> other_composites(const Domain& domain, const Knowledge& knowledge,
-                                                           const std::vector<CompositePart>& certain,
-                                                           std::size_t limit) {
-    const std::size_t groups = domain.composites.size();
-    std::set<std::vector<int>> sets;
-    std::vector<std::vector<int>> to_grow;
-    const auto add = [&](std::vector<int> set) {
-        if (sets.insert(set).second) to_grow.push_back(std::move(set));
-    };
-    for (int region = 0; region < knowledge.region_count; ++region) add({region});
-    while (!to_grow.empty()) {
-        if (sets.size() * groups > limit + certain.size()) return std::nullopt;
-        const std::vector<int> set = std::move(to_grow.back());
-        to_grow.pop_back();
-        for (const auto& [a, b] : knowledge.connected) {
-            const bool has_a = std::ranges::binary_search(set, a), has_b = std::ranges::binary_search(set, b);
-            if (has_a == has_b) continue;
-            std::vector<int> larger = set;
-            larger.insert(std::ranges::upper_bound(larger, has_a ? b : a), has_a ? b : a);
-            add(std::move(larger));
-        }
+std::vector<CompositePart> candidate_composites(const Domain& domain, const Knowledge& knowledge) {
+    std::vector<std::vector<int>> beside(static_cast<std::size_t>(knowledge.region_count));
+    for (const auto& [a, b] : knowledge.connected) {
+        beside[static_cast<std::size_t>(a)].push_back(b);
+        beside[static_cast<std::size_t>(b)].push_back(a);
     }
-    std::vector<CompositePart> others;
-    for (int group = 0; group < static_cast<int>(groups); ++group)
-        for (const std::vector<int>& regions : sets)
-            if (std::ranges::none_of(
-                    certain, [&](const CompositePart& part) { return part.group == group && part.regions == regions; }))
-                others.push_back({group, regions, {}});
-    return others;
+    std::vector<CompositePart> candidates;
+    for (int group = 0; group < static_cast<int>(domain.composites.size()); ++group)
+        for (int first = 0; first < knowledge.region_count; ++first) {
+            std::vector<int> reached{first};
+            for (std::size_t at = 0; at < reached.size(); ++at)
+                for (const int next : beside[static_cast<std::size_t>(reached[at])])
+                    if (next > first && std::ranges::count(reached, next) == 0) reached.push_back(next);
+            std::ranges::sort(reached);
+            candidates.push_back({group, std::move(reached), {}});
+        }
+    return candidates;
 }
 
 bool needs_mesh_world(const Domain& domain, const Knowledge& knowledge) {

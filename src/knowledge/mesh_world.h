@@ -22,7 +22,13 @@ struct MeshWorld {
     /// By concept of the theory (theory.h): an open restriction in the words of this world, null for names.
     std::vector<owl::ClassPointer> open;
     std::size_t first_answer = 0;  ///< Knowledge::answers[i] is the axiom first_answer + i
-    std::vector<std::pair<std::size_t, std::size_t>> told_composites;  ///< (axiom, composite part that it tells of)
+
+    /// An axiom that says that a composite part is there, that it has a region, or that it has another composite part.
+    struct Told {
+        std::size_t axiom, composite;
+        int region = -1, inner = -1;
+    };
+    std::vector<Told> told_composites;
 };
 
 /// The closed world of a mesh whose regions are all known (design §5). `composites` are those that there are.
@@ -35,12 +41,9 @@ struct MeshWorld {
 [[nodiscard]] std::optional<std::vector<CompositePart>> composites_for_world(const Domain& domain,
                                                                              const Knowledge& knowledge);
 
-/// The composite parts that there are not, but might be if nothing were known of any region: one for each kind of group
-/// and each set of regions that hang together. nullopt when there would be more than `limit`.
-[[nodiscard]] std::optional<std::vector<CompositePart>> other_composites(const Domain& domain,
-                                                                         const Knowledge& knowledge,
-                                                                         const std::vector<CompositePart>& certain,
-                                                                         std::size_t limit);
+/// Every composite part that there might be if nothing were known of any region: one for each kind of group and each
+/// region that may be the first of one, with all that may belong to it then; by group, then by first region.
+[[nodiscard]] std::vector<CompositePart> candidate_composites(const Domain& domain, const Knowledge& knowledge);
 
 /// Whether conclusions, explanations and corrections need the closed world of the mesh: the ontology says something
 /// that configuration spaces leave open, and all regions are known. Where it has composite parts, there must be no
@@ -50,10 +53,11 @@ struct MeshWorld {
 /// Answers what the whole ontology says about one mesh, in which all regions are known.
 class MeshReasoner {
 public:
-    /// The domain must outlive it; `composites` are those that there are. `others`, which might be there if less were
-    /// known: explanations look at them, too. Throws OntologyError for what cannot be grounded.
+    /// The domain must outlive it; `composites` are those that there are. With `to_explain` they follow from answers
+    /// and axioms, so that explanations hold whatever composite parts there are without the rest; only explanations may
+    /// be asked for then. Throws OntologyError for what cannot be grounded.
     MeshReasoner(const Domain& domain, const Knowledge& knowledge, const std::vector<CompositePart>& composites = {},
-                 const std::vector<CompositePart>& others = {});
+                 bool to_explain = false);
     ~MeshReasoner();
 
     /// Takes away what the closed world rules out of what is possible for the regions; an empty set tells nothing.
@@ -68,7 +72,7 @@ public:
 
     /// As explain(), all_explanations() and corrections() in explain.h; completeness is always taken as given. Where an
     /// explanation speaks of a composite part, the answers that make it one belong to it. Corrections take the
-    /// composite parts as given; do not ask for them where there are `others`.
+    /// composite parts as given.
     [[nodiscard]] Explanation explain(const Iri& concept_iri, int region,
                                       std::uint64_t steps = ExplanationOptions{}.steps);
     [[nodiscard]] Explanations explain_all(const Iri& concept_iri, int region, const ExplanationOptions& options);

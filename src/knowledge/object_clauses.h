@@ -37,6 +37,12 @@ public:
     [[nodiscard]] int object_concept(int id);
     /// Whether some composite part is a member of the concept.
     [[nodiscard]] int some_composite(int id);
+    /// Composite parts go by their group and their first region. Whether there is that one, has this region, has that
+    /// one of another group.
+    [[nodiscard]] int composite(std::size_t group, std::size_t first);
+    [[nodiscard]] int composite_has(std::size_t group, std::size_t first, std::size_t region);
+    [[nodiscard]] int composite_has(std::size_t group, std::size_t first, std::size_t inner_group,
+                                    std::size_t inner_first);
     /// Whether there is a composite part of just these regions (ascending).
     [[nodiscard]] int composite(std::size_t group, const std::vector<std::size_t>& regions);
     /// The same, and it is a member of the concept.

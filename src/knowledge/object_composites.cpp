@@ -6,8 +6,9 @@
 
        T(a, b)  or  (T(a, k) and T(k, b)),
 
-   as Floyd and Warshall have it; gates are made only where they are not constants, and regions of a known mesh touch
-   few others. The first region of each connected set stands for it: a composite part for each region, there when the
+   as Floyd and Warshall have it; gates are made only where they are not constants. Regions of a known mesh touch few
+   others, but for some, such as a table's top; those that are joined to fewest so far come first, which keeps chains
+   short in coming. The first region of each connected set stands for it: a composite part for each region, there when the
    region belongs and is joined to none before it. Its concepts are literals as those of a region are.
 
    Cost: regions^3 gates for each group at worst, where all of them hang together; n^2 for n that do. */
@@ -43,15 +44,26 @@ ObjectClauses::Composites& ObjectClauses::composites(std::size_t g) {
         for (std::size_t b = a + 1; b < count; ++b)
             joined[a][b] = joined[b][a] = clauses.all_of({touching(a, b), belongs[a], belongs[b]});
     const int never = clauses.never();
-    std::vector<std::size_t> near;  // those that may be joined to k
-    for (std::size_t k = 0; k < count; ++k) {
+    std::vector<std::size_t> degrees, waiting, near;  // near: those that may be joined to k
+    for (std::size_t a = 0; a < count; ++a) {
+        degrees.push_back(count - static_cast<std::size_t>(std::ranges::count(joined[a], never)));
+        waiting.push_back(a);
+    }
+    while (!waiting.empty()) {
+        const auto next = std::ranges::min_element(waiting, {}, [&](std::size_t a) { return degrees[a]; });
+        const std::size_t k = *next;
+        waiting.erase(next);
         near.clear();
         for (std::size_t a = 0; a < count; ++a)
-            if (a != k && joined[a][k] != never) near.push_back(a);
+            if (joined[a][k] != never) near.push_back(a);
         for (std::size_t i = 0; i < near.size(); ++i)
             for (std::size_t j = i + 1; j < near.size(); ++j) {
                 const std::size_t a = near[i], b = near[j];
                 const int way = clauses.all_of({joined[a][k], joined[k][b]});
+                if (joined[a][b] == never) {
+                    ++degrees[a];
+                    ++degrees[b];
+                }
                 joined[a][b] = joined[b][a] = clauses.any_of({joined[a][b], way});
             }
     }
@@ -98,6 +110,19 @@ int ObjectClauses::composite_count(const Member& whole, const Formula& formula) 
     clauses.add({-no_further_parts(), -open, exact});
     clauses.add({-no_further_parts(), open, -exact});
     return open;
+}
+
+int ObjectClauses::composite(std::size_t group, std::size_t first) { return composites(group).members[first].present; }
+
+int ObjectClauses::composite_has(std::size_t group, std::size_t first, std::size_t region) {
+    return composites(group).holds[first][region];
+}
+
+int ObjectClauses::composite_has(std::size_t group, std::size_t first, std::size_t inner_group,
+                                 std::size_t inner_first) {
+    const Composites& inner = composites(inner_group);
+    const int is_there = composite(group, first);
+    return clauses.all_of({is_there, lies_within(composites(group).members[first], inner, inner.members[inner_first])});
 }
 
 int ObjectClauses::composite(std::size_t group, const std::vector<std::size_t>& regions) {
