@@ -52,7 +52,6 @@ public:
                 return !set.is_empty() && set.is_subset_of(regions.concepts[goal_]);
             });
         const Assembly assembly = assemble(theory_, scope, regions, no_limit);
-        if (assembly.has_composites()) return follows_with_composites(scope, regions, assembly, told, complete);
         const std::vector<int> goals(goal_ < 0 ? 0 : 1, goal_);
         const auto test = ObjectTest::within(theory_, scope, assembly.parts, goals);
         if (!test) {
@@ -93,29 +92,6 @@ private:
                     set -= yes_set(regions.space, {variable, value});
         }
         return told;
-    }
-    [[nodiscard]] bool follows_with_composites(const Scope& scope, const Layer& regions, const Assembly& assembly,
-                                               const Told& told, bool complete) const {
-        std::vector<ConfigurationSet> sets;
-        for (const std::size_t set : told.set_of) sets.push_back(told.sets[set]);
-        std::optional<Assembled> assembled;
-        if (complete)
-            assembled = put_together(theory_, assembly, *find_contributions(assembly, regions.space.all()), sets,
-                                     knowledge_.connected);
-        if (goal_ >= 0 && theory_.concepts[goal_].level == Level::composite)
-            return assembled && std::ranges::any_of(assembled->composites, [&](const CompositePart& composite) {
-                       const Layer& layer =
-                           assembly.composites[static_cast<std::size_t>(composite.group)].objects.layer;
-                       return !composite.possible.is_empty() && composite.possible.is_subset_of(layer.concepts[goal_]);
-                   });
-        std::vector<Counts> counts =
-            assembled ? std::move(assembled->counts)
-                      : with_any_composites(assembly.parts,
-                                            possible_counts(theory_, assembly, regions.space.all(), false, no_limit),
-                                            reachable_counts(assembly.parts, sets), !complete);
-        const ObjectLayer objects = build_objects(theory_, scope, {}, assembly.parts, std::move(counts), no_limit);
-        const std::size_t size = objects.layer.space.size;
-        return goal_ < 0 ? size == 0 : size > 0 && objects.layer.concepts[goal_].count() == size;
     }
     /// The variable of the cone's layer that corresponds to one of the domain's.
     [[nodiscard]] int variable_in(const Layer& regions, VariableId variable) const {
@@ -321,7 +297,8 @@ Explanation explain(const Domain& domain, const Knowledge& knowledge, const Iri&
     if (prefers_solver(domain, knowledge))
         return one_reason(domain, knowledge, concept_iri, region_asked, options.steps);
     const Conclusions conclusions = conclude_by_spaces(domain, knowledge);
-    if (conclusions.objects->diagram) return one_reason(domain, knowledge, concept_iri, region_asked, options.steps);
+    if (conclusions.objects->diagram || domain.grounding->assembly.has_composites())
+        return one_reason(domain, knowledge, concept_iri, region_asked, options.steps);
     const Theory& theory = domain.grounding->theory;
     const auto refuse = [&] {
         throw std::invalid_argument("explain: " + (concept_iri.empty() ? std::string("a contradiction") : concept_iri) +

@@ -187,17 +187,22 @@ int ObjectClauses::literal(Member& member, FormulaId id) {
     return member.formulas[id];
 }
 
+int ObjectClauses::region_count_in(const Member& whole, const Formula& formula) {
+    std::vector<int> members;
+    for (std::size_t part = 0; part < (whole.group < 0 ? parts_.size() : region_count()); ++part) {
+        const int is_there = whole.group < 0
+                                 ? parts_[part].present
+                                 : composites(static_cast<std::size_t>(whole.group)).holds[whole.first][part];
+        members.push_back(clauses.all_of({is_there, literal(parts_[part], formula.index)}));
+    }
+    return formula.threshold > members.size() ? clauses.never() : clauses.at_least(members, formula.threshold);
+}
+
 int ObjectClauses::make(Member& member, FormulaId id) {
     const auto count_parts = [&](const Formula& formula) {
-        if (formula.part_level == Level::composite) return composite_count(member, formula);
-        std::vector<int> members;
-        for (std::size_t part = 0; part < (member.group < 0 ? parts_.size() : region_count()); ++part) {
-            const int is_there = member.group < 0
-                                     ? parts_[part].present
-                                     : composites(static_cast<std::size_t>(member.group)).holds[member.first][part];
-            members.push_back(clauses.all_of({is_there, literal(parts_[part], formula.index)}));
-        }
-        return formula.threshold > members.size() ? clauses.never() : clauses.at_least(members, formula.threshold);
+        if (member.is_grown) return grown_count(member, formula);
+        return formula.part_level == Level::composite ? composite_count(member, formula)
+                                                      : region_count_in(member, formula);
     };
     return formula_literal(
         clauses, theory_.formulas[id], [&](FormulaId operand) { return literal(member, operand); },
@@ -209,7 +214,8 @@ void ObjectClauses::require_constraints(Level level) {
     const auto require = [&](Member& member, const Constraint& constraint) {
         std::vector<int> clause = unless_off(constraint.axiom);
         clause.push_back(-member.present);
-        if (level == Level::composite && known_ > 0) clause.push_back(-no_further_parts());
+        if (level == Level::composite && !member.is_grown && member.first < known_)
+            clause.push_back(-no_further_parts());
         clause.push_back(literal(member, constraint.formula));
         clauses.add(clause);
     };
@@ -219,8 +225,8 @@ void ObjectClauses::require_constraints(Level level) {
         for (std::size_t part = 0; level == Level::region && part < parts_.size(); ++part)
             require(parts_[part], constraint);
         for (std::size_t g = 0; level == Level::composite && g < composites_.size(); ++g)
-            for (std::size_t first = 0; first < region_count(); ++first)
-                require(composites(g).members[first], constraint);
+            for (auto* members : {&composites(g).members, &composites(g).grown})
+                for (Member& part : *members) require(part, constraint);
     }
 }
 

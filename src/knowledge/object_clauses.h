@@ -26,7 +26,7 @@ public:
     /// Parts that may be there or not; earlier ones first.
     void add_further_parts(std::size_t count);
     [[nodiscard]] std::size_t part_count() const { return parts_.size(); }
-    /// Two known parts touch; those of which nobody says so do not. Whether others touch is open.
+    /// Two known parts touch; those of which nobody says so do not. Whether further parts touch each other is open.
     void touch(std::size_t a, std::size_t b) { touching_[std::minmax(a, b)] = clauses.always(); }
 
     /// True when the feature of the part has this value (one up to this value).
@@ -65,6 +65,7 @@ private:
     struct Member {
         int group = -1;                          ///< of a composite part
         std::size_t first = 0;                   ///< of a composite part: its first region
+        bool is_grown = false;                   ///< it may have further parts beside the known ones
         int present = 0;                         ///< literal
         std::vector<std::vector<int>> features;  ///< [feature][value], empty until asked for
         std::vector<int> concepts, formulas;     ///< 0 until asked for
@@ -73,14 +74,19 @@ private:
     /// are never there.
     struct Composites {
         std::vector<Member> members;
+        std::vector<Member>
+            grown;  ///< the same for known regions, of groups of regions alone, when there may be others
         std::vector<std::vector<int>> holds;  ///< [first region][region]: this composite part has it
     };
     [[nodiscard]] Composites& composites(std::size_t group);
-    [[nodiscard]] std::size_t region_count() const { return known_ > 0 ? known_ : parts_.size(); }
+    /// How many of the parts make composite parts: all of them, or only the known ones where there are too many.
+    [[nodiscard]] std::size_t region_count() const;
     [[nodiscard]] int touching(std::size_t a, std::size_t b);
     /// Whether a composite part lies within the object, or within another composite part.
     [[nodiscard]] int lies_within(const Member& whole, const Composites& inner, const Member& part);
+    [[nodiscard]] int region_count_in(const Member& whole, const Formula& formula);
     [[nodiscard]] int composite_count(const Member& whole, const Formula& formula);
+    [[nodiscard]] int grown_count(const Member& whole, const Formula& formula);
     [[nodiscard]] Member make_member(int present) const;
     [[nodiscard]] const std::vector<int>& feature(Member& member, std::size_t feature);
     [[nodiscard]] int concept_literal(Member& member, int id);

@@ -8,18 +8,33 @@
 
    as Floyd and Warshall have it; gates are made only where they are not constants. Regions of a known mesh touch few
    others, but for some, such as a table's top; those that are joined to fewest so far come first, which keeps chains
-   short in coming. The first region of each connected set stands for it: a composite part for each region, there when the
-   region belongs and is joined to none before it. Its concepts are literals as those of a region are.
+   short in coming. The first region of each connected set stands for it: a composite part for each region, there when
+   the region belongs and is joined to none before it. Its concepts are literals as those of a region are.
+
+   Where there may be further parts, known composite parts may be larger than they look, or one where they seem to be
+   two. What an object counts of them is open then, but for this: a composite part that has grown has no fewer regions
+   of any class, so there is one that is what it is however it grows (none of
+   composite parts, which need not grow to what belongs to it); further parts make composite parts of their own,
+   which count; and what no composite part can be is none of them.
 
    Cost: regions^3 gates for each group at worst, where all of them hang together; n^2 for n that do. */
 
 #include "knowledge/object_clauses.h"
 
 namespace partonomy::knowledge {
+namespace {
+
+constexpr std::size_t most_further = 24;  // beside known ones: each two may touch
+
+}  // namespace
+
+std::size_t ObjectClauses::region_count() const {
+    return known_ > 0 && parts_.size() - known_ > most_further ? known_ : parts_.size();
+}
 
 int ObjectClauses::touching(std::size_t a, std::size_t b) {
     int& literal = touching_[std::minmax(a, b)];
-    if (literal == 0) literal = known_ > 0 ? clauses.never() : clauses.add_variable();
+    if (literal == 0) literal = std::min(a, b) < known_ ? clauses.never() : clauses.add_variable();
     return literal;
 }
 
@@ -78,6 +93,10 @@ ObjectClauses::Composites& ObjectClauses::composites(std::size_t g) {
         Member member = make_member(present);
         member.group = static_cast<int>(g);
         member.first = first;
+        if (group.inner.empty() && first < known_ && region_count() > known_) {
+            made.grown.push_back(member);
+            made.grown.back().is_grown = true;
+        }
         made.members.push_back(std::move(member));
     }
     return made;
@@ -94,21 +113,44 @@ int ObjectClauses::lies_within(const Member& whole, const Composites& inner, con
 }
 
 int ObjectClauses::composite_count(const Member& whole, const Formula& formula) {
-    std::vector<int> members;
+    std::vector<int> members, further, grown;
     for (std::size_t g = 0; g < composites_.size(); ++g) {
         if (whole.group >= 0 &&
             std::ranges::count(theory_.groups[static_cast<std::size_t>(whole.group)].inner, static_cast<int>(g)) == 0)
             continue;
         Composites& inner = composites(g);
-        for (Member& part : inner.members)
-            members.push_back(clauses.all_of({lies_within(whole, inner, part), literal(part, formula.index)}));
+        for (Member& part : inner.members) {
+            const bool is_known = whole.group >= 0 || known_ == 0 || part.first < known_;
+            (is_known ? members : further)
+                .push_back(clauses.all_of({lies_within(whole, inner, part), literal(part, formula.index)}));
+        }
+        for (std::size_t i = 0; whole.group < 0 && i < inner.grown.size(); ++i)
+            grown.push_back(clauses.all_of({inner.grown[i].present, literal(inner.grown[i], formula.index)}));
     }
-    const int exact =
-        formula.threshold > members.size() ? clauses.never() : clauses.at_least(members, formula.threshold);
+    const auto at_least = [&](const std::vector<int>& literals) {
+        return formula.threshold > literals.size() ? clauses.never() : clauses.at_least(literals, formula.threshold);
+    };
+    const int exact = at_least(members);
     if (whole.group >= 0 || known_ == 0 || known_ == parts_.size()) return exact;
-    const int open = clauses.add_variable();  // with further parts, there may be others
+    const int open = clauses.add_variable();
     clauses.add({-no_further_parts(), -open, exact});
     clauses.add({-no_further_parts(), open, -exact});
+    if (region_count() < parts_.size()) return open;
+    clauses.add({-at_least(further), open});
+    if (formula.threshold == 1) clauses.add({-clauses.any_of(grown), open});
+    clauses.add({-open, exact, clauses.any_of(further)});
+    return open;
+}
+
+int ObjectClauses::grown_count(const Member& whole, const Formula& formula) {
+    const int open = clauses.add_variable();
+    if (formula.part_level == Level::composite) return open;  // of those within it two may be one, too
+    const int known = region_count_in(whole, formula);
+    std::vector<int> further;
+    for (std::size_t part = known_; part < parts_.size(); ++part)
+        further.push_back(clauses.all_of({parts_[part].present, literal(parts_[part], formula.index)}));
+    clauses.add({-known, open});
+    clauses.add({-open, known, clauses.any_of(further)});
     return open;
 }
 
