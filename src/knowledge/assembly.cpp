@@ -36,12 +36,11 @@ public:
           only_possible_(only_possible),
           limit_(limit) {}
 
-    /// What one group (-1: the object) may count in the eyes of its observers, the first of which are its own parts.
+    /// What one group may count in the eyes of its observers, the first of which are its own parts.
     [[nodiscard]] std::vector<State> run(int group, const std::vector<const Parts*>& observers) const {
         const std::vector<State> steps = all_steps(group, observers);
         std::set<State> seen;
         std::vector<State> reached{State(observers.size(), 0)};
-        if (group < 0) seen.insert(reached[0]);
         for (std::size_t next = 0; next < reached.size(); ++next)
             for (const State& step : steps) {
                 State more = add(observers, reached[next], step);
@@ -52,6 +51,13 @@ public:
                                         " ways; count fewer classes of parts, or to lower numbers");
             }
         return {seen.begin(), seen.end()};
+    }
+
+    /// What the object may count.
+    [[nodiscard]] std::vector<Counts> run(const Parts& object) const {
+        std::vector<Counts> steps;
+        for (const State& step : all_steps(-1, {&object})) steps.push_back(step[0]);
+        return with_any_steps(object, {0}, steps, limit_);
     }
 
 private:
@@ -218,10 +224,7 @@ std::vector<Counts> possible_counts(const Theory& theory, const Assembly& assemb
                                     bool only_possible, std::size_t limit) {
     if (!assembly.has_composites())
         return with_any_more(assembly.parts, {0}, types_within(assembly.parts, among), limit);
-    std::vector<Counts> counts;
-    for (const State& state : Walk(theory, assembly.composites, among, only_possible, limit).run(-1, {&assembly.parts}))
-        counts.push_back(state[0]);
-    return counts;
+    return Walk(theory, assembly.composites, among, only_possible, limit).run(assembly.parts);
 }
 
 std::vector<Counts> with_any_composites(const Parts& parts, const std::vector<Counts>& all_counts,

@@ -52,25 +52,23 @@ private:
     std::size_t size_ = 0;
 };
 
-/// Adds one part of a type again and again.
+/// Adds the same counts again and again.
 class Adder {
 public:
-    Adder(const Parts& parts, const Parts::Type& type) {
-        for (const std::size_t c : type.classes) {
-            const Parts::PartClass& part = parts.classes[c];
-            const Counts mask = (Counts{1} << std::bit_width(part.cap)) - 1;
-            fields_.push_back({mask << part.shift, Counts{part.cap} << part.shift, Counts{1} << part.shift});
+    Adder(const Parts& parts, Counts added) {
+        for (const Parts::PartClass& part : parts.classes) {
+            const Counts mask = ((Counts{1} << std::bit_width(part.cap)) - 1) << part.shift;
+            if ((added & mask) != 0) fields_.push_back({mask, Counts{part.cap} << part.shift, added & mask});
         }
     }
     Counts operator()(Counts counts) const {
-        for (const Field& field : fields_)
-            if ((counts & field.mask) != field.full) counts += field.one;
+        for (const Field& field : fields_) counts += std::min(field.full - (counts & field.mask), field.added);
         return counts;
     }
 
 private:
     struct Field {
-        Counts mask, full, one;
+        Counts mask, full, added;
     };
     std::vector<Field> fields_;
 };
@@ -209,7 +207,7 @@ std::vector<Counts> with_one_more(const Parts& parts, const std::vector<Counts>&
     std::vector<Counts> result;
     CountSet seen;
     for (const std::size_t t : types) {
-        const Adder adder(parts, parts.types[t]);
+        const Adder adder(parts, parts.add(0, parts.types[t]));
         for (const Counts each : counts)
             if (const Counts more = adder(each); seen.insert(more)) result.push_back(more);
     }
@@ -219,12 +217,19 @@ std::vector<Counts> with_one_more(const Parts& parts, const std::vector<Counts>&
 
 std::vector<Counts> with_any_more(const Parts& parts, const std::vector<Counts>& counts,
                                   const std::vector<std::size_t>& types, std::size_t limit) {
-    // Parts can be added in any order: all of the first type, then all of the second …
+    std::vector<Counts> steps;
+    for (const std::size_t t : types) steps.push_back(parts.add(0, parts.types[t]));
+    return with_any_steps(parts, counts, steps, limit);
+}
+
+std::vector<Counts> with_any_steps(const Parts& parts, const std::vector<Counts>& counts,
+                                   const std::vector<Counts>& steps, std::size_t limit) {
+    // They can be added in any order: the first as often as one likes, then the second …
     std::vector<Counts> reached = counts;
     CountSet seen;
     for (const Counts each : counts) seen.insert(each);
-    for (const std::size_t t : types) {
-        const Adder adder(parts, parts.types[t]);
+    for (const Counts step : steps) {
+        const Adder adder(parts, step);
         for (std::size_t next = 0; next < reached.size(); ++next) {
             const Counts more = adder(reached[next]);
             if (more == reached[next] || !seen.insert(more)) continue;

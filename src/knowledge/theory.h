@@ -234,6 +234,10 @@ struct Parts {
 [[nodiscard]] std::vector<Counts> with_any_more(const Parts& parts, const std::vector<Counts>& counts,
                                                 const std::vector<std::size_t>& types, std::size_t limit);
 
+/// The same for steps, each of which adds these counts.
+[[nodiscard]] std::vector<Counts> with_any_steps(const Parts& parts, const std::vector<Counts>& counts,
+                                                 const std::vector<Counts>& steps, std::size_t limit);
+
 /// The counts of an object that consists of `regions`, each known to lie in its set. An empty set (a contradiction)
 /// tells nothing about its region. Ascending.
 [[nodiscard]] std::vector<Counts> reachable_counts(const Parts& parts, const std::vector<ConfigurationSet>& regions);
