@@ -21,7 +21,8 @@
 // (object_test.h). Each test of an axiom looks at the cone of the goal only, the concepts and features that the axioms
 // still kept lead to; a class whose defining axiom is gone is free to hold or not. That makes many kinds of parts, so
 // of an object one is looked for that is no such thing; where the kinds are too many to be tried, a solver with a
-// selector for each axiom looks for it (reasons.cpp). In small spaces it would take longer than trying.
+// selector for each axiom looks for it (reasons.cpp). In small spaces it would take longer than trying. Composite parts
+// are always left to the solver.
 //
 // Corrections by best-first search: sets of answers by ascending cost, each turned round and concluded from, those left
 // out that contain one found before. When that takes too many tries, or when the space is compiled, both are questions
