@@ -6,7 +6,7 @@
  * the board's plane. A plane has what has one largest side, an axis what is a stick; nothing else is coplanar or
  * collinear.
  *
- * Mirror images. There are two vertical planes through the middle of the object's upright box, along its sides. The
+ * Mirror images. There are two vertical planes through the middle of the object, along its sides (upright.cpp). The
  * middle and the second moments of the target's surface, mirrored, are compared with the reference's: an X's two bars
  * have the same box, but not the same moments. What differs in higher moments only is not told apart.
  *

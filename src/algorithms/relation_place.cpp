@@ -1,4 +1,4 @@
-/* Where regions lie to each other, read off their boxes along the sides of the object's smallest upright box: a box
+/* Where regions lie to each other, read off their boxes along the sides of the object (upright.cpp): a box
  * says enough about above and beside, costs nothing, and turns with the object. */
 
 #include <Eigen/Geometry>

@@ -1,5 +1,9 @@
 /* A frame that turns with the object: up, and the sides of the smallest upright box.
  *
+ * That box lies askew to things that are wider at one end than at the other: an aeroplane with swept wings. Where an
+ * object is its own mirror image in an upright plane, but not in one along that box, the plane is a side of the frame.
+ * Scenes have no such plane.
+ *
  * The smallest rectangle around the plan has a side along an edge of its convex hull, so each is tried: O(n log n) for
  * the hull, O(h²) for its h edges.
  *
@@ -16,6 +20,7 @@
 #include <limits>
 
 #include "algorithms/clip.h"
+#include "algorithms/mirror_plane.h"
 
 namespace partonomy {
 namespace {
@@ -77,6 +82,17 @@ Eigen::Matrix3d upright_frame(const Object& object) {
     return frame;
 }
 
+/// Turns the frame to the object's mirror plane, where it has one and the frame is surely not along it.
+void turn_to_mirror_plane(const Object& object, Eigen::Matrix3d& frame) {
+    constexpr double surely_not = 3 * mirror_tolerance;
+    for (const int side : {0, 1})
+        if (mirror_asymmetry(object, frame.row(side)) < surely_not) return;
+    if (const std::optional<Vec3> side = mirror_side(object)) {
+        frame.row(0) = *side;
+        frame.row(1) = object.placement.up.cross(*side);
+    }
+}
+
 std::optional<Vec3> front_of(const Scene& scene) {
     const Object& object = *scene.object;
     const double from = scene.low.z() + scene.height() * 2 / 3;
@@ -114,6 +130,7 @@ Scene scene_of(const Object& object) {
     Scene scene;
     scene.object = &object;
     scene.frame = upright_frame(object);
+    if (!object.is_scene) turn_to_mirror_plane(object, scene.frame);
     scene.frame.row(2) = object.heights;  // up, but for scenes on a slope
     scene.low = Vec3::Constant(infinity);
     scene.high = -scene.low;

@@ -13,7 +13,7 @@ class TriangleTree;
 /// What relations look at in the object as a whole: an upright frame of its own, so that answers turn with the object.
 struct Scene {
     const Object* object = nullptr;  ///< must outlive this
-    Eigen::Matrix3d frame;           ///< rows: the sides of the smallest upright box of the object, then up
+    Eigen::Matrix3d frame;           ///< rows: the object's sides (its mirror plane, or the smallest upright box), up
     Vec3 low, high;                  ///< that box, in the frame
     double diagonal = 0;             ///< of that box
     /// Unit vector in the frame, to the side that the object faces; nullopt where its shape does not tell.
