@@ -6,7 +6,7 @@
 // are found by union-find, so no seed and no order is involved. At a joint of two parts the ray runs into the other
 // part, so the thickness jumps and the set ends by itself. What remains is taken apart in a second way:
 //
-// A set that is a plain slab or bar is a core as it is (plain_pieces.cpp).
+// A set that is a plain slab, bar or block is a core as it is (plain_pieces.cpp).
 //
 // Any other set may still be a comb: back posts as thick as the backrest they carry. Sampled triangles therefore look
 // around from the middle between their two walls, along the walls: a stick is as narrow as thick, a board wider than
