@@ -48,6 +48,7 @@ const double slanted_cosine = std::cos(15 * std::numbers::pi / 180);
 constexpr double least_membership = 0.001;  // a triangle of the part is not outside of it
 constexpr Trapezoid near_wall{0, 0, 0.12, 0.7};
 constexpr Trapezoid along_wall{0, 0, 40, 90};
+const double fully_along_cosine = std::cos(39.9 * std::numbers::pi / 180);  // along_wall is 1: no angle is needed
 
 struct Sides {
     Vec3 low, high;  ///< along the three axes
@@ -244,12 +245,15 @@ private:
         for_each_range(
             sums.size(), threads_,
             [&](std::size_t begin, std::size_t end) {
-                for (std::size_t c = begin; c < end; ++c)
+                for (std::size_t c = begin; c < end; ++c) {
+                    double sum = 0;
                     for (std::size_t at = c * chunk; at < std::min(triangles_.size(), (c + 1) * chunk); ++at) {
                         const double score = fitting_score(box, width, triangles_[at]);
-                        sums[c] += geometry_.areas[triangles_[at]] * score;
+                        sum += geometry_.areas[triangles_[at]] * score;
                         part.memberships[at] = static_cast<float>(std::max(score, least_membership));
                     }
+                    sums[c] = sum;
+                }
             },
             4);
         part.fit = std::min(1.0, std::accumulate(sums.begin(), sums.end(), 0.0) / area_);
@@ -265,7 +269,11 @@ private:
             const double distance = std::abs(sign * place[k] - box.lengths[k] / 2);
             const double near = near_wall(distance / width);
             if (near <= best) continue;
-            const double angle = std::acos(std::min(1.0, std::abs(along[k]))) * 180 / std::numbers::pi;
+            if (std::abs(along[k]) > fully_along_cosine) {
+                best = near;
+                continue;
+            }
+            const double angle = std::acos(std::abs(along[k])) * 180 / std::numbers::pi;
             best = std::max(best, near * along_wall(angle));
         }
         return best;
