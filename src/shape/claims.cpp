@@ -18,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <span>
 #include <utility>
 
@@ -241,7 +242,7 @@ void cut_at_boards(const Surface& s, const std::vector<Board>& boards, Parts& pa
 /// What is seen from just below a triangle beside the growing board, along the board's normal, to both sides.
 struct Look {
     std::int32_t from, triangle;
-    bool is_turned_away = false;  ///< too much like a wall to be on the rim: nothing was looked at
+    bool is_turned_away;  ///< too much like a wall to be on the rim: nothing is looked at
     std::array<WallHit, 2> seen{};
 };
 
@@ -261,7 +262,11 @@ bool on_rim(const Parts& parts, std::int32_t board, const Frame& f, const Look& 
 class SlabClaim {
 public:
     SlabClaim(const Surface& surface, Parts& parts)
-        : s_(surface), parts_(parts), origin_(surface.count()), beyond_(surface.count()), look_of_(surface.count()) {}
+        : s_(surface),
+          parts_(parts),
+          origin_(std::make_unique_for_overwrite<std::int32_t[]>(surface.count())),
+          beyond_(std::make_unique_for_overwrite<float[]>(surface.count())),
+          look_of_(surface.count()) {}
 
     void grow(std::int32_t number, const PlaneFit& fit) {
         board_ = number;
@@ -297,6 +302,7 @@ public:
 private:
     struct Candidate {
         std::int32_t from, triangle;
+        bool is_turned_away;  ///< see Look
         std::size_t look = 0;
     };
 
@@ -320,21 +326,32 @@ private:
 
     /// Triangles beside a stretch of the queue, in order.
     [[nodiscard]] std::vector<Candidate> beside(std::size_t first, std::size_t last) const {
-        const auto of_blocks = map_blocks(last - first, s_.threads, [&](std::size_t begin, std::size_t end) {
-            std::vector<Candidate> some;
-            for (std::size_t at = first + begin; at < first + end; ++at)
-                for (const std::int32_t j : s_.adjacency.neighbours[queue_[at]])
-                    if (j >= 0 && parts_.part_of[j] != board_ && is_takeable(j)) some.push_back({queue_[at], j});
-            return some;
-        });
+        constexpr std::size_t block = 512;
+        auto of_blocks = map_blocks(
+            last - first, s_.threads,
+            [&](std::size_t begin, std::size_t end) {
+                std::vector<Candidate> some;
+                for (std::size_t at = first + begin; at < first + end; ++at)
+                    for (const std::int32_t j : s_.adjacency.neighbours[queue_[at]])
+                        if (j >= 0 && parts_.part_of[j] != board_ && is_takeable(j))
+                            some.push_back({queue_[at], j, is_turned_away(queue_[at], j)});
+                return some;
+            },
+            block);
+        if (of_blocks.size() == 1) return std::move(of_blocks.front());
         std::vector<Candidate> all;
         for (const std::vector<Candidate>& some : of_blocks) all.insert(all.end(), some.begin(), some.end());
         return all;
     }
 
+    [[nodiscard]] bool is_turned_away(std::int32_t from, std::int32_t j) const {
+        const Vec3 normal = flat_ ? plane_.normal : s_.geometry.normals[origin_[from]];
+        return std::abs(s_.geometry.normals[j].dot(normal)) > 0.8;
+    }
+
     /// Looks below all candidates side by side; once for each triangle where the board has one frame everywhere.
     void look_at(std::vector<Candidate>& candidates) {
-        const std::size_t first = looks_.size();
+        asking_.clear();
         for (Candidate& candidate : candidates) {
             const auto known = static_cast<std::size_t>(look_of_[candidate.triangle]);
             if (flat_ && known < looks_.size() && looks_[known].triangle == candidate.triangle) {
@@ -343,42 +360,34 @@ private:
             }
             candidate.look = looks_.size();
             look_of_[candidate.triangle] = static_cast<std::int32_t>(looks_.size());
-            looks_.push_back({candidate.from, candidate.triangle});
+            if (!candidate.is_turned_away) asking_.push_back(looks_.size());
+            looks_.push_back({candidate.from, candidate.triangle, candidate.is_turned_away});
         }
         // Packets of rays are the same on any number of threads.
-        constexpr std::size_t piece = 64;
-        const std::span<Look> open = std::span(looks_).subspan(first);
-        for_each_range((open.size() + piece - 1) / piece, s_.threads,
-                       [&](std::size_t begin, std::size_t end) {
-                           for (std::size_t k = begin; k < end; ++k)
-                               look(open.subspan(k * piece, std::min(piece, open.size() - k * piece)));
-                       },
-                       1);
+        constexpr std::size_t packet = 8, packets_at_once = 2;
+        for_each_range(
+            (asking_.size() + packet - 1) / packet, s_.threads,
+            [&](std::size_t begin, std::size_t end) {
+                for (std::size_t k = begin; k < end; ++k)
+                    look(std::span(asking_).subspan(k * packet, std::min(packet, asking_.size() - k * packet)));
+            },
+            packets_at_once);
     }
 
-    void look(std::span<Look> looks) const {
-        constexpr std::size_t most = 8;
-        std::array<InnerRay, 2 * most> rays;
-        std::array<WallHit, 2 * most> hits;
-        std::array<Look*, most> asking{};
-        std::size_t count = 0;
-        const auto shoot = [&] {
-            s_.scene->exit_walls({rays.data(), 2 * count}, {hits.data(), 2 * count});
-            for (std::size_t k = 0; k < count; ++k) asking[k]->seen = {hits[2 * k], hits[2 * k + 1]};
-            count = 0;
-        };
-        for (Look& one : looks) {
+    void look(std::span<const std::size_t> asking) {
+        constexpr std::size_t most = 16;
+        std::array<InnerRay, most> rays;
+        std::array<WallHit, most> hits;
+        for (std::size_t k = 0; k < asking.size(); ++k) {
+            const Look& one = looks_[asking[k]];
             const std::int32_t i = one.triangle;
             const Frame f = frame_at(one.from);
-            one.is_turned_away = std::abs(s_.geometry.normals[i].dot(f.normal)) > 0.8;
-            if (one.is_turned_away) continue;
             const Vec3 inside = s_.geometry.barycentres[i] - s_.geometry.normals[i] * (0.5 * f.half);
-            rays[2 * count] = {inside, f.normal, -1, i};
-            rays[2 * count + 1] = {inside, -f.normal, -1, i};
-            asking[count++] = &one;
-            if (count == most) shoot();
+            rays[2 * k] = {inside, f.normal, -1, i};
+            rays[2 * k + 1] = {inside, -f.normal, -1, i};
         }
-        shoot();
+        s_.scene->exit_walls({rays.data(), 2 * asking.size()}, {hits.data(), 2 * asking.size()});
+        for (std::size_t k = 0; k < asking.size(); ++k) looks_[asking[k]].seen = {hits[2 * k], hits[2 * k + 1]};
     }
 
     void consider(const Candidate& candidate) {
@@ -416,10 +425,11 @@ private:
 
     const Surface& s_;
     Parts& parts_;
-    std::vector<std::int32_t> origin_;  ///< the triangle of the core whose frame goes on here
-    std::vector<float> beyond_;         ///< how far it is from the last sure place
+    std::unique_ptr<std::int32_t[]> origin_;  ///< of the board's: the triangle of the core whose frame goes on here
+    std::unique_ptr<float[]> beyond_;         ///< of the board's: how far it is from the last sure place
     std::vector<std::int32_t> queue_;
     std::vector<Look> looks_;
+    std::vector<std::size_t> asking_;    ///< numbers of looks that are to be taken
     std::vector<std::int32_t> look_of_;  ///< number of the last look below each triangle, whatever the board
     std::int32_t board_ = -1;
     bool flat_ = false, exact_ = false;

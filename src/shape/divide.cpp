@@ -96,7 +96,13 @@ private:
             }
         }
         for (const std::int32_t i : component.triangles) cells_[cell_of_[i]].area += s_.geometry.areas[i];
-        using Pairs = std::vector<std::pair<std::int32_t, std::int32_t>>;
+        for (const auto& [a, b] : meeting_cells(component)) cells_[a].neighbours.push_back(b);
+    }
+
+    using Pairs = std::vector<std::pair<std::int32_t, std::int32_t>>;
+
+    /// Cells that meet over an edge or face each other; each pair both ways, sorted.
+    [[nodiscard]] Pairs meeting_cells(const Core& component) const {
         const auto sort_out = [](Pairs& pairs) {
             std::sort(pairs.begin(), pairs.end());
             pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
@@ -104,11 +110,15 @@ private:
         const auto of_blocks =
             map_blocks(component.triangles.size(), s_.threads, [&](std::size_t begin, std::size_t end) {
                 Pairs pairs;
+                std::array<std::pair<std::int32_t, std::int32_t>, 256> last{};  // most pairs come again and again
                 const auto meet = [&](std::int32_t i, std::int32_t j) {
-                    if (is_own(j) && cell_of_[i] != cell_of_[j]) {
-                        pairs.emplace_back(cell_of_[i], cell_of_[j]);
-                        pairs.emplace_back(cell_of_[j], cell_of_[i]);
-                    }
+                    if (!is_own(j) || cell_of_[i] == cell_of_[j]) return;
+                    const std::pair pair(cell_of_[i], cell_of_[j]);
+                    auto& before = last[static_cast<std::size_t>(pair.first * 31 + pair.second) % last.size()];
+                    if (before == pair) return;
+                    before = pair;
+                    pairs.push_back(pair);
+                    pairs.emplace_back(pair.second, pair.first);
                 };
                 for (std::size_t k = begin; k < end; ++k) {
                     const std::int32_t i = component.triangles[k];
@@ -121,7 +131,7 @@ private:
         Pairs pairs;
         for (const Pairs& some : of_blocks) pairs.insert(pairs.end(), some.begin(), some.end());
         sort_out(pairs);
-        for (const auto& [a, b] : pairs) cells_[a].neighbours.push_back(b);
+        return pairs;
     }
 
     /// A cell takes the median width of its neighbourhood, and its main direction.

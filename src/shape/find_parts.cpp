@@ -28,6 +28,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 
@@ -96,13 +97,17 @@ std::vector<PartRegion> collect_parts(const TriangleMesh& mesh, const TriangleGe
     for (std::size_t part = 0; part < parts; ++part)
         if (!members[part].empty()) order.push_back(part);
     std::ranges::sort(order, {}, [&](std::size_t part) { return members[part].front(); });
+    std::vector<std::size_t> large_first(order.size());  // what is begun last should not take long
+    std::iota(large_first.begin(), large_first.end(), 0);
+    std::ranges::stable_sort(large_first, std::greater<>(), [&](std::size_t k) { return members[order[k]].size(); });
     std::vector<PartRegion> regions(order.size());
     for_each_range(
         regions.size(), threads,
         [&](std::size_t begin, std::size_t end) {
-            for (std::size_t k = begin; k < end; ++k) {
-                PartRegion& part = regions[k];
-                part.region.triangles.assign(members[order[k]].begin(), members[order[k]].end());
+            for (std::size_t at = begin; at < end; ++at) {
+                const auto triangles = members[order[large_first[at]]];
+                PartRegion& part = regions[large_first[at]];
+                part.region.triangles.assign(triangles.begin(), triangles.end());
                 PartBox measured = measure_part(mesh, geometry, part.region.triangles, is_noisy, threads);
                 part.region.memberships = std::move(measured.memberships);
                 part.box = measured.box;

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <numbers>
@@ -21,6 +22,7 @@
 #include <utility>
 
 #include "base/quantile.h"
+#include "base/ranges.h"
 #include "shape/claims.h"
 
 namespace partonomy {
@@ -209,16 +211,29 @@ void rejoin_torn_parts(const Surface& s, Parts& parts) {
             if (j >= 0 && parts.part_of[j] > own) borders.emplace(own, parts.part_of[j]);
     }
     if (borders.empty()) return;
-    for (std::size_t k = 0; k < count; ++k) {
-        if (members[k].empty()) continue;
+    const auto for_each_of = [&](std::size_t things, const auto& work) {
+        for_each_range(
+            things, s.threads,
+            [&](std::size_t begin, std::size_t end) {
+                for (std::size_t k = begin; k < end; ++k) work(k);
+            },
+            1);
+    };
+    for_each_of(count, [&](std::size_t k) {
+        if (members[k].empty()) return;
         boxed[k].some = thin_out(members[k]);
         put_in_box(s, boxed[k]);
-    }
+    });
     const double limit = deviations * measure_noise(boxed);
     std::map<Pair, Union> unions;
     for (;;) {
-        for (const Pair& pair : borders)
-            if (!unions.contains(pair)) unions.emplace(pair, join(s, boxed[pair.first], boxed[pair.second], limit));
+        std::vector<Pair> untried;
+        std::ranges::copy_if(borders, std::back_inserter(untried), [&](Pair pair) { return !unions.contains(pair); });
+        std::vector<Union> tried(untried.size());
+        for_each_of(untried.size(), [&](std::size_t k) {
+            tried[k] = join(s, boxed[untried[k].first], boxed[untried[k].second], limit);
+        });
+        for (std::size_t k = 0; k < untried.size(); ++k) unions.emplace(untried[k], std::move(tried[k]));
         const auto best = std::ranges::min_element(unions, {}, [](const auto& entry) { return entry.second.beyond; });
         if (best == unions.end() || best->second.beyond > some_of_it) return;
         auto [to, from] = best->first;

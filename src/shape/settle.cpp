@@ -285,24 +285,33 @@ private:
         double sum = 0;
         for (const std::int32_t i : strip_) sum += std::sqrt(s_.geometry.areas[i]);
         const double unit = units * static_cast<double>(strip_.size()) / sum;
-        for (std::size_t k = 0; k < strip_.size(); ++k) {
-            const std::int32_t i = strip_[k];
-            const int side = parts_.part_of[i] == a ? 1 : -1;
-            bool is_edge = false;
-            for (int e = 0; e < 3; ++e) {
-                const std::int32_t j = s_.adjacency.neighbours[i][e];
-                if (j < 0 || (parts_.part_of[j] != a && parts_.part_of[j] != b)) continue;
-                if (node_of_[j] < 0) {
-                    is_edge = true;
-                    continue;
-                }
-                network_.nodes[k].to[e] = node_of_[j];
-                network_.nodes[k].room[e] = 1 + std::llround(unit * cost(i, e, j, thickness));
+        constexpr std::size_t grain = 512;
+        for_each_range(
+            strip_.size(), s_.threads,
+            [&](std::size_t begin, std::size_t end) {
+                for (std::size_t k = begin; k < end; ++k) build_node(k, a, b, thickness, unit);
+            },
+            grain);
+    }
+
+    void build_node(std::size_t k, std::int32_t a, std::int32_t b, double thickness, double unit) {
+        const std::int32_t i = strip_[k];
+        Network::Node& node = network_.nodes[k];
+        const int side = parts_.part_of[i] == a ? 1 : -1;
+        bool is_edge = false;
+        for (int e = 0; e < 3; ++e) {
+            const std::int32_t j = s_.adjacency.neighbours[i][e];
+            if (j < 0 || (parts_.part_of[j] != a && parts_.part_of[j] != b)) continue;
+            if (node_of_[j] < 0) {
+                is_edge = true;
+                continue;
             }
-            const double stay = unit * (s_.grain > 0 ? noisy_inertia : inertia) * s_.geometry.areas[i] / thickness;
-            network_.nodes[k].terminal =
-                side * (is_edge ? std::numeric_limits<std::int32_t>::max() * Capacity{1024} : std::llround(stay));
+            node.to[e] = node_of_[j];
+            node.room[e] = 1 + std::llround(unit * cost(i, e, j, thickness));
         }
+        const double stay = unit * (s_.grain > 0 ? noisy_inertia : inertia) * s_.geometry.areas[i] / thickness;
+        node.terminal =
+            side * (is_edge ? std::numeric_limits<std::int32_t>::max() * Capacity{1024} : std::llround(stay));
     }
 
     [[nodiscard]] double cost(std::int32_t i, int e, std::int32_t j, double thickness) const {

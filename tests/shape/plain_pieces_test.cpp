@@ -127,6 +127,25 @@ TEST(PlainPieces, StickBetweenItsFourWalls) {
     }
 }
 
+TEST(PlainPieces, BlockBetweenItsSixWalls) {
+    for (unsigned seed = 0; seed < 20; ++seed) {
+        SCOPED_TRACE(seed);
+        const TriangleMesh mesh = prism({{0, 0}, {1.3, 0}, {1.3, 1.1}, {0, 1.1}}, 1, seed);
+        const auto piece = look_at(mesh, 0, 20, 1.1);
+        ASSERT_TRUE(piece);
+        EXPECT_NEAR(piece->narrow, 1.1, 1e-9);
+        EXPECT_NEAR(piece->wide, 1.3, 1e-9);
+        const Vec3 side = (mesh.positions[1] - mesh.positions[0]).normalized();
+        EXPECT_NEAR(std::abs(piece->along.dot(side)), 1, 1e-9);
+        // Other parts may stand on its sides, but not hide one.
+        EXPECT_TRUE(look_at(mesh, 1, 20, 1.1));
+        EXPECT_FALSE(look_at(mesh, 0, 18, 1.1));
+        // An angle is more than a block.
+        const TriangleMesh angle = prism({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}, 1.8, seed);
+        EXPECT_FALSE(look_at(angle, 0, 32, 1));
+    }
+}
+
 TEST(PlainPieces, WhatMayHaveToBeCutIsNone) {
     // A comb: a board with two posts as thick as it.
     const TriangleMesh comb = prism({{0, 0}, {1, 0}, {1, 3}, {4, 3}, {4, 0}, {5, 0}, {5, 5}, {0, 5}}, 0.3, 1);
