@@ -11,9 +11,9 @@
  *
  *     join    a region without a name, or a stump that hardly is what it is called, and a neighbour, where their common
  *             box is hardly larger than both boxes
- *     recut   a badly fitting part, or one without a name that is most of an object which is nothing, along the
- *             pieces of a second, finer cut (find_parts without joining), and then join the pieces to each other and
- *             to the neighbours as long as that is likelier
+ *     recut   a badly fitting part, or one without a name that is much of the object, along the pieces of a second,
+ *             finer cut (find_parts without joining), and then join the pieces to each other and to the neighbours as
+ *             long as that is likelier
  *
  * What has no name does not join a part half as large under the name of that: a handle does not swallow the mug.
  * The best edit is taken as long as one is likelier by a margin. A rule that is broken counts for little, so that a
@@ -50,7 +50,7 @@ constexpr double unrecognised = 0.8, forbidden = 0.98, each_region = 0.003;
 constexpr double bad_fit = 0.8, worse_fit = 0.9;  // of a part worth cutting again; in an object that is not recognised
 constexpr double unlikely = 0.6;                  // quality of a region that may join another one
 constexpr double least_part = 0.02, least_piece = 0.002;  // shares of the surface: of a part to cut, of its pieces
-constexpr double most_of_it = 0.5;                        // of the surface, in one part
+constexpr double much_of_it = 0.1;                        // of the surface, in one part
 constexpr double along = 0.1;                             // of a region's border: a neighbour
 constexpr double roomy = 1.25, very_roomy = 3;            // common box over both boxes, at most; of an unnamed stump
 constexpr double stump = 0.02;                            // share of the surface, at most
@@ -176,11 +176,11 @@ private:
 
     [[nodiscard]] double share(const Shared& region) const { return area_of(region) / surface_; }
 
-    /// The fit below which a part is worth cutting again. What is most of an object that is nothing, and is itself
-    /// nothing, is worth it however well it fits: a bottle whose body and neck are one stick.
+    /// The fit below which a part is worth cutting again. What is much of the object and nothing that is known is worth
+    /// it however well it fits: a bottle whose body and neck are one stick, a lens with its rim.
     [[nodiscard]] double fit_limit(const State& state, std::size_t i) const {
-        if (state.verdict.is_recognised) return bad_fit;
-        return state.verdict.regions[i].name.empty() && share(state.cut[i]) > most_of_it ? 1 : worse_fit;
+        if (state.verdict.regions[i].name.empty() && share(state.cut[i]) > much_of_it) return 1;
+        return state.verdict.is_recognised ? bad_fit : worse_fit;
     }
 
     [[nodiscard]] static double quality(const State& state, std::size_t i) {
