@@ -4,13 +4,18 @@
 // the part faces tells how rough the part is: how far the triangles that face these sides lie from a plane through
 // them, on average. A part that is flat there (a two-hundredth of the length) keeps the smallest box exactly, whatever
 // its outline: a triangular board has slanted sides, no noise. Otherwise each side is looked at as a wall: the
-// triangles that face that way, and the area-weighted median of how far out they are. Where the outermost point is
-// hardly farther out than the wall (a fiftieth of the length), the side stays; else the axes are turned to the mean
-// normals of the walls, and the walls count. A side without a wall (the end of a leg that goes on as a seat, the tip of
-// a cone) is where the area ends: the places beyond which a two-hundredth and a fiftieth of it lie show how it thins
-// out, and the end is as far beyond the first as that is beyond the second. This is the tip of a cone exactly, and a
-// hundredth beyond the end of a stick at most, but no farther than the outermost point; a spike has no such area.
-// Triangles that are long beside the part count in pieces, for one that runs from end to end is not all in its middle.
+// triangles in the outer half that face that way, and the area-weighted median of how far out they are. Where the
+// outermost point is hardly farther out than the wall (a fiftieth of the length), the side stays; else the axes are
+// turned to the mean normals of the walls, and the walls count.
+//
+// A vessel faces up with its floor, within, and outward with its far wall, within: these are in the inner half, or much
+// of the part lies beyond them, and they are no walls of the box. Nor are slanted walls, and round ones, which turn
+// away on both sides; their median is well within the outermost place. A side without a wall (a rim, the end of a leg
+// that goes on as a seat, the tip of a cone) is where the area ends: the places beyond which a two-hundredth and a
+// fiftieth of it lie show how it thins out, and the end is as far beyond the first as that is beyond the second. This
+// is the tip of a cone exactly, and a hundredth beyond the end of a stick at most, but no farther than the outermost
+// point; a spike has no such area. Triangles that are long beside the part count in pieces, for one that runs from end
+// to end is not all in its middle.
 //
 // The fitting score of a triangle looks for the best of the six sides. Its distance d from the side's plane, relative
 // to the size of the part's cross-section w = sqrt(l1 l2), scores 1 up to d = 0.12 w and falls to 0 at d = 0.7 w; the
@@ -26,6 +31,7 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <optional>
 
 #include "base/quantile.h"
 #include "base/ranges.h"
@@ -40,19 +46,24 @@ constexpr double hardly_rough = 0.005;
 constexpr double rounding = 1e-7;  // of the longest side
 constexpr double hardly_farther = 0.02;
 constexpr double least_wall_share = 0.04;  // of the part's area: less facing one way is no wall
+constexpr double noise_deviations = 4;     // median ones: hardly any noise goes beyond
 constexpr std::size_t most_samples = 3000;
 constexpr double end_quantile = 0.995, thinning_quantile = 0.98;
 constexpr int most_pieces = 100;  // of a triangle that is as long as the part
 const double facing_cosine = std::cos(40 * std::numbers::pi / 180);
 const double slanted_cosine = std::cos(15 * std::numbers::pi / 180);
+const double askew_cosine = std::cos(20 * std::numbers::pi / 180);
+constexpr double round_share = 1.0 / 3;     // of a round wall one half is askew
+constexpr double least_bow = 0.25;          // correlation of places and normals: of a level wall under noise 0
 constexpr double least_membership = 0.001;  // a triangle of the part is not outside of it
 constexpr Trapezoid near_wall{0, 0, 0.12, 0.7};
 constexpr Trapezoid along_wall{0, 0, 40, 90};
 const double fully_along_cosine = std::cos(39.9 * std::numbers::pi / 180);  // along_wall is 1: no angle is needed
 
 struct Sides {
-    Vec3 low, high;  ///< along the three axes
-    bool is_noisy = false;
+    Vec3 low, high;               ///< along the three axes
+    bool is_noisy = false;        ///< within the outermost points
+    bool has_rough_wall = false;  ///< a level one
 };
 
 /// Points with weights, and how far they lie from the plane that fits them best.
@@ -80,6 +91,23 @@ private:
     }
 };
 
+/// Of two values, weighted: in [-1, 1].
+struct Correlation {
+    double weight = 0;
+    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+    Eigen::Matrix2d products = Eigen::Matrix2d::Zero();
+    void add(double a, double b, double w) {
+        const Eigen::Vector2d both(a, b);
+        weight += w;
+        sum += w * both;
+        products += w * both * both.transpose();
+    }
+    [[nodiscard]] double value() const {
+        const Eigen::Matrix2d m = products / weight - sum * sum.transpose() / (weight * weight);
+        return m(0, 0) > 0 && m(1, 1) > 0 ? m(0, 1) / std::sqrt(m(0, 0) * m(1, 1)) : 0;
+    }
+};
+
 class Measurer {
 public:
     Measurer(const TriangleMesh& mesh, const TriangleGeometry& geometry, const std::vector<std::int32_t>& triangles,
@@ -103,12 +131,13 @@ public:
         if (!(area_ > 0)) return {box, 1, std::vector<float>(triangles_.size(), 1.0F)};
         if (!is_noisy_ || !is_rough(box.axes, outer)) return fit(box);
         Sides sides = walls(box.axes, outer);
-        if (sides.is_noisy) {
-            const Eigen::Matrix3d axes = mean_axes(box.axes);
+        Eigen::Matrix3d axes = box.axes;
+        if (sides.has_rough_wall) {
+            axes = mean_axes(box.axes);
             outer = extremes(axes);
             sides = walls(axes, outer);
-            box = make_box(axes, sides);
         }
+        if (sides.is_noisy) box = make_box(axes, sides);
         return fit(box);
     }
 
@@ -144,34 +173,70 @@ private:
 
     [[nodiscard]] Sides walls(const Eigen::Matrix3d& axes, const Sides& outer) {
         Sides sides = outer;
-        for (int k = 0; k < 3; ++k)
+        for (int k = 0; k < 3; ++k) {
+            const double length = outer.high[k] - outer.low[k];
+            std::array<double, 2> ends;
+            for (const int sign : {-1, 1})
+                ends[sign > 0] = end(sign * axes.col(k), sign * (sign > 0 ? outer.high : outer.low)[k], length);
+            const double middle = (ends[1] - ends[0]) / 2;
             for (const int sign : {-1, 1}) {
                 double& side = sign > 0 ? sides.high[k] : sides.low[k];
-                const double place = wall(sign * axes.col(k), sign * side, outer.high[k] - outer.low[k]);
-                if (std::abs(side - sign * place) > hardly_farther * (outer.high[k] - outer.low[k])) {
-                    side = sign * place;
+                Eigen::Matrix3d frame;
+                frame << sign * axes.col(k), axes.col((k + 1) % 3), axes.col((k + 2) % 3);
+                const std::optional<double> place = wall(frame, sign * middle);
+                const double at = sign * place.value_or(ends[sign > 0]);
+                if (std::abs(side - at) > hardly_farther * length) {
+                    side = at;
                     sides.is_noisy = true;
+                    sides.has_rough_wall |= place.has_value();
                 }
             }
+        }
         return sides;
     }
 
-    /// How far out the wall is that faces `direction`, along which the part is `length` long; `outermost` when the wall
-    /// is slanted, for then its far end counts.
-    [[nodiscard]] double wall(const Vec3& direction, double outermost, double length) {
-        facing_.clear();
+    /// How far out the level wall is that faces the first axis of `frame` beyond `middle`; none where little of the
+    /// part faces that way, or the wall is slanted or a round one around a hollow, or much of the part lies farther
+    /// out.
+    [[nodiscard]] std::optional<double> wall(const Eigen::Matrix3d& frame, double middle) {
+        const Vec3 direction = frame.col(0);
         Patch patch;
-        for (const std::int32_t t : samples_)
-            if (geometry_.normals[t].dot(direction) > facing_cosine) {
-                facing_.emplace_back(geometry_.barycentres[t].dot(direction), geometry_.areas[t]);
-                patch.add(geometry_.barycentres[t] - points_.front(), geometry_.areas[t]);
+        std::array<Correlation, 2> bows;  // of places along the wall and normals
+        double askew = 0, within = 0, beyond = 0;
+        places_.clear();
+        for (const std::int32_t t : samples_) {
+            const Vec3 normal = frame.transpose() * geometry_.normals[t];
+            const double place = geometry_.barycentres[t].dot(direction), area = geometry_.areas[t];
+            if (!(normal[0] > facing_cosine)) continue;
+            if (!(place > middle)) {
+                within += area;
+                continue;
             }
-        if (patch.area >= least_wall_share * sampled_area_)
-            return patch.is_slanted(direction) ? outermost : quantile(facing_, 0.5);
-        facing_.clear();
+            if (normal[0] < askew_cosine) askew += area;
+            const Vec3 from_start = geometry_.barycentres[t] - points_.front();
+            for (int k = 0; k < 2; ++k) bows[k].add(from_start.dot(frame.col(k + 1)), normal[k + 1], area);
+            patch.add(from_start, area);
+            places_.emplace_back(place, area);
+        }
+        const double least_area = least_wall_share * sampled_area_;
+        if (!(patch.area > 0) || patch.area < least_area || patch.is_slanted(direction)) return std::nullopt;
+        if (within > least_area && askew > round_share * patch.area &&
+            std::max(bows[0].value(), bows[1].value()) > least_bow)
+            return std::nullopt;
+        const double level = quantile(places_, 0.5);
+        for (auto& [place, area] : places_) place = std::abs(place - level);
+        const double limit = level + noise_deviations * quantile(places_, 0.5);
+        for (const std::int32_t t : samples_)
+            if (geometry_.barycentres[t].dot(direction) > limit) beyond += geometry_.areas[t];
+        return beyond > least_area ? std::nullopt : std::optional(level);
+    }
+
+    /// Where the area of the part, `length` long, ends in a direction, at most `outermost`.
+    [[nodiscard]] double end(const Vec3& direction, double outermost, double length) {
+        places_.clear();
         for (const std::int32_t t : samples_) spread(t, direction, length);
-        const double end = quantile(facing_, end_quantile);
-        return std::min(outermost, 2 * end - quantile(facing_, thinning_quantile));
+        const double end = quantile(places_, end_quantile);
+        return std::min(outermost, 2 * end - quantile(places_, thinning_quantile));
     }
 
     /// Adds where the area of a triangle lies along a direction: in one place, or in many when it is long.
@@ -182,7 +247,7 @@ private:
         std::sort(at.begin(), at.end());
         const auto& [a, b, c] = at;
         if (!(c - a > length / most_pieces)) {
-            facing_.emplace_back((a + b + c) / 3, area);
+            places_.emplace_back((a + b + c) / 3, area);
             return;
         }
         const auto share_below = [&](double x) {
@@ -194,7 +259,7 @@ private:
         double below = 0;
         for (int k = 1; k <= pieces; ++k) {
             const double share = k == pieces ? 1 : share_below(a + k * (c - a) / pieces);
-            facing_.emplace_back(a + (k - 0.5) * (c - a) / pieces, (share - below) * area);
+            places_.emplace_back(a + (k - 0.5) * (c - a) / pieces, (share - below) * area);
             below = share;
         }
     }
@@ -286,7 +351,7 @@ private:
     int threads_;
     std::vector<std::int32_t> samples_;  ///< what walls are measured on: medians need no more
     std::vector<Vec3> points_;
-    std::vector<Weighted> facing_;
+    std::vector<Weighted> places_;
     double area_ = 0, sampled_area_ = 0;
 };
 
