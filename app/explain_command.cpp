@@ -32,6 +32,25 @@ bool mentions(const std::string& fact, const std::string& part) {
     return false;
 }
 
+std::string in_brackets(const std::string& numbers) { return numbers.empty() ? "" : " [" + numbers + "]"; }
+
+/// " [l1/l2 10.5 (wanted >= 2)]" for the value of a range concept that a part was found to have; empty where a question
+/// of the trace says so.
+std::string what_was_measured(const json& annotation, const json& part, const std::string& feature, const json& value) {
+    for (const json& answer : annotation.at("knowledge").at("answers")) {
+        if (answer.at("part") != part || answer.at("value") != value || !answer.at("yes").get<bool>() ||
+            owl::local_name(answer.at("feature").get<std::string>()) != feature)
+            continue;
+        const std::string measured = answer.value("measured", "");
+        const std::string region = fmt::format("part {}", part.get<int>());
+        const bool is_told = std::ranges::any_of(annotation.at("trace"), [&](const json& entry) {
+            return entry.at("region") == region && entry.value("measured", "") == measured;
+        });
+        return is_told ? "" : in_brackets(measured);
+    }
+    return {};
+}
+
 void explain_part(const json& annotation, const json& part) {
     const std::string name = fmt::format("part {}", part.at("id").get<int>());
     const auto concepts = part.at("concepts").get<std::vector<std::string>>();
@@ -40,7 +59,13 @@ void explain_part(const json& annotation, const json& part) {
                                 : with_article(fmt::format("{}", fmt::join(concepts, ", "))),
                part.at("score").get<double>(), part.at("faces").get<std::int64_t>());
     for (const auto& [feature, value] : part.at("features").items())
-        fmt::print("  {}: {}\n", feature, value.get<std::string>());
+        fmt::print("  {}: {}{}\n", feature, value.get<std::string>(),
+                   what_was_measured(annotation, part.at("id"), feature, value));
+    if (part.contains("nearest")) {
+        fmt::print("  it would be {}, but for\n", with_article(part.at("nearest").at("concept").get<std::string>()));
+        for (const json& answer : part.at("nearest").at("refused_by"))
+            fmt::print("    {}\n", answer.get<std::string>());
+    }
     for (const json& entry : annotation.at("trace")) {
         std::vector<std::string> inferred;
         for (const json& text : entry.at("inferred"))
@@ -51,9 +76,10 @@ void explain_part(const json& annotation, const json& part) {
                        entry.at("answer").get<std::string>(), inferred.empty() ? "" : "; so ",
                        fmt::join(inferred, ", "));
         else
-            fmt::print("  asked {}: {} (score {:.3f}){}{}\n", entry.at("question").get<std::string>(),
+            fmt::print("  asked {}: {} (score {:.3f}){}{}{}\n", entry.at("question").get<std::string>(),
                        entry.at("answer").get<std::string>(), entry.at("score").get<double>(),
-                       inferred.empty() ? "" : "; so ", fmt::join(inferred, ", "));
+                       in_brackets(entry.value("measured", "")), inferred.empty() ? "" : "; so ",
+                       fmt::join(inferred, ", "));
     }
 }
 

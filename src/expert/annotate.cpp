@@ -21,6 +21,8 @@
 
 #include "base/errors.h"
 #include "expert/accepted_answers.h"
+#include "expert/in_numbers.h"
+#include "expert/nearest_name.h"
 #include "expert/open_questions.h"
 #include "knowledge/near_miss.h"
 
@@ -171,8 +173,36 @@ std::vector<LearnedAnswer> learned_answers(const Session& session, const knowled
         answers.push_back({answer.region + 1, feature_name(variable),
                            variable.values[static_cast<std::size_t>(answer.question.value)], answer.yes,
                            session.answer_scores()[i], session.is_accepted(answer)});
+        if (session.is_told_in_numbers() && !answers.back().accepted)
+            answers.back().measured = is_a_in_numbers(session.domain(), session.catalogue(), answer.question,
+                                                      session.object(), session.measurements(answer.region));
     }
     return answers;
+}
+
+/// Tells of each part without a name which one it came nearest to, and what refuses it.
+void tell_nearest_names(const Session& session, const knowledge::Knowledge& knowledge, Annotation& annotation) {
+    if (!session.is_told_in_numbers()) return;
+    const Domain& domain = session.domain();
+    std::vector<Iri> names;
+    for (const ConceptId c : session.wanted())
+        if (const auto& concept_ = domain.regions.concepts[static_cast<std::size_t>(c)];
+            !concept_.incompatible && !is_helper(domain, concept_.iri) && !concept_.where.is_empty())
+            names.push_back(concept_.iri);
+    for (AnnotatedPart& part : annotation.parts) {
+        if (!part.concepts.empty()) continue;
+        const auto nearest = nearest_name(session, knowledge, part.id - 1, names);
+        if (!nearest) continue;
+        part.nearest = owl::local_name(nearest->iri);
+        for (const std::size_t i : nearest->refused_by) {
+            const knowledge::Answer& answer = knowledge.answers[i];
+            const std::string& measured = annotation.answers[i].measured;
+            part.refusals.push_back(fmt::format(
+                "{}: {} ({}){}", to_text(domain.regions, answer.question, domain), answer.yes ? "yes" : "no",
+                session.is_accepted(answer) ? "a person said so" : fmt::format("{:.2f}", session.answer_scores()[i]),
+                measured.empty() ? "" : " [" + measured + "]"));
+        }
+    }
 }
 
 /// What follows when assumed names count as known; what is known alone where that contradicts the axioms.
@@ -456,6 +486,7 @@ Annotation annotate(const Domain& domain, const Catalogue& catalogue, const Obje
     annotation.classes = local_names(domain.most_specific(classes));
     annotation.nearest = nearest_classes(domain, assumed, classes);
     annotation.answers = learned_answers(session, knowledge);
+    tell_nearest_names(session, knowledge, annotation);
     annotation.is_complete = knowledge.complete;
     for (const auto& [a, b] : knowledge.connected) annotation.connected.emplace_back(a + 1, b + 1);
     if (options.diagnose) annotation.diagnosis = diagnose(session, known);
@@ -469,7 +500,7 @@ Annotation annotate(const Domain& domain, const Catalogue& catalogue, const Obje
                             {"T", session.related_count},
                             {"TF", session.find_related_count},
                             {"read_off", session.read_off_count}};
-    session.tell_measured_relations();
+    session.tell_measures();
     annotation.trace = std::move(session.trace);
     for (const auto& [stage, ms] : object.times) annotation.timings_ms.emplace_back("find parts: " + stage, ms);
     const auto ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();

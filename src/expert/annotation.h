@@ -20,6 +20,9 @@ struct AnnotatedPart {
     std::map<std::string, double> measurements;   ///< metres and degrees
     std::string color;                            ///< "#rrggbb" to draw it in; empty: choose one
     std::vector<std::string> names = {};          ///< the most specific of `concepts` that are no diagnoses
+    /// Of a part without a name: what it came nearest to, and the answers that refuse it that, in words.
+    std::string nearest = {};
+    std::vector<std::string> refusals = {};
     bool is_piece = false;  ///< only helpers hold of it: `concepts` are of the whole it belongs to
 };
 
@@ -41,6 +44,7 @@ struct TraceEntry {
     double score = 0;                        ///< of the answer
     std::vector<std::string> inferred = {};  ///< what followed from it: "part 3 is a Leg", "the object is a Chair"
     double ms = 0;
+    std::string measured = {};  ///< of an `is a`: "l0/l1 1.02 (wanted <= 2)"; empty in objects of very many parts
 };
 
 /// Why the object is incompatible, and the cheapest way out.
@@ -71,8 +75,9 @@ struct LearnedAnswer {
     std::string feature;  ///< IRI of the range concept or measured property; a relation as written
     std::string value;    ///< word of the value: "Board", "<= 0.55"
     bool yes = true;
-    double score = 1;       ///< [0.5, 1]
-    bool accepted = false;  ///< a person said so
+    double score = 1;           ///< [0.5, 1]
+    bool accepted = false;      ///< a person said so
+    std::string measured = {};  ///< as in TraceEntry
 };
 
 /// All that is known about one object at the end; every output file is written from this one value.

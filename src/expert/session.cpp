@@ -193,6 +193,7 @@ std::optional<double> Session::ask_score(int region, Question question) {
                      *score >= 0.5 ? *score : 1 - *score,
                      {},
                      watch.ms()});
+    asked_.push_back({trace.size() - 1, region, question});
     return score;
 }
 

@@ -50,9 +50,14 @@ public:
     /// belong to one only since.
     void find_connections();
 
-    /// Adds to what the trace tells of relations how far off they are: what was measured between the part and those
-    /// that come nearest to what was asked for. At the end, since it measures what the questions could do without.
-    void tell_measured_relations();
+    /// Whether the object has so few parts that what was measured is told in numbers.
+    [[nodiscard]] bool is_told_in_numbers() const { return region_count() <= 200; }
+    /// Adds to the trace what was measured: to each `is a` the numbers it rests on, to each answer about a relation
+    /// those of at most two tuples of regions. Nothing where the object has very many parts.
+    void tell_measures();
+    /// Configurations that an answer leaves of some.
+    [[nodiscard]] knowledge::ConfigurationSet narrowed(knowledge::ConfigurationSet set,
+                                                       const knowledge::Answer& answer) const;
 
     /// Whether the values of a variable are read off a region as soon as it is cut, so that no question is asked:
     /// numbers, and range concepts whose values all cost 0.
@@ -122,8 +127,6 @@ private:
     void read_off(int region, int variable);
     /// "part 3: is it a board".
     [[nodiscard]] std::string in_words(int region, knowledge::Question question) const;
-    [[nodiscard]] knowledge::ConfigurationSet narrowed(knowledge::ConfigurationSet set,
-                                                       const knowledge::Answer& answer) const;
     /// Answers are likelihoods: of those of one region that contradict a new one the least certain is left out when it
     /// is borderline. False: that is the new one.
     bool make_room(const knowledge::Answer& answer, double score);
@@ -172,6 +175,12 @@ private:
         bool yes;
     };
     std::vector<ToldRelation> told_;
+    struct AskedIsA {
+        std::size_t entry;  ///< place in the trace
+        int region;
+        knowledge::Question question;
+    };
+    std::vector<AskedIsA> asked_;
 };
 
 /// How an object is questioned; the paper's Table 3 compares them.

@@ -9,7 +9,7 @@
 #include <span>
 #include <utility>
 
-#include "expert/relation_in_numbers.h"
+#include "expert/in_numbers.h"
 #include "expert/session.h"
 #include "expert/session_words.h"
 
@@ -20,7 +20,6 @@ using knowledge::ConceptId;
 using knowledge::ConfigurationSet;
 using knowledge::Question;
 
-constexpr int most_parts_measured = 200;        // of an object whose relations are told in numbers
 constexpr std::size_t most_relations_told = 2;  // for one answer
 
 const std::string connected_iri = std::string(owl::core_prefix) + "Connected";
@@ -211,8 +210,10 @@ std::optional<bool> Session::ask_relation(int region, Question question) {
     return yes;
 }
 
-void Session::tell_measured_relations() {
-    if (region_count() > most_parts_measured) return;
+void Session::tell_measures() {
+    if (!is_told_in_numbers()) return;
+    for (const auto& [entry, region, question] : std::exchange(asked_, {}))
+        trace[entry].measured = is_a_in_numbers(domain_, catalogue_, question, object_, measurements(region));
     for (const auto& [entry, facts, region, question, yes] : std::exchange(told_, {})) {
         const auto feature = index(domain_.regions.variables[index(question.variable)].index);
         std::vector<std::pair<double, knowledge::RelationTuple>> nearest;

@@ -20,7 +20,7 @@ std::string hex_color(const AnnotatedPart& part) {
 
 void write_parts(JsonText& json, const Annotation& annotation) {
     json.array("parts");
-    for (const AnnotatedPart& part : annotation.parts)
+    for (const AnnotatedPart& part : annotation.parts) {
         json.object()
             .member("id", part.id)
             .member("concepts", part.concepts)
@@ -30,8 +30,11 @@ void write_parts(JsonText& json, const Annotation& annotation) {
             .member("score", part.score)
             .member("features", part.features)
             .member("measurements", part.measurements)
-            .member("color", hex_color(part))
-            .end();
+            .member("color", hex_color(part));
+        if (!part.nearest.empty())
+            json.object("nearest").member("concept", part.nearest).member("refused_by", part.refusals).end();
+        json.end();
+    }
     json.end().array("composites");
     for (const AnnotatedComposite& composite : annotation.composites)
         json.object()
@@ -52,7 +55,7 @@ void write_questions(JsonText& json, const Annotation& annotation) {
     }
     for (const auto& [kind, count] : others) json.member(kind, count);
     json.end().array("trace");
-    for (const TraceEntry& entry : annotation.trace)
+    for (const TraceEntry& entry : annotation.trace) {
         json.object()
             .member("kind", entry.kind)
             .member("question", entry.question)
@@ -60,8 +63,10 @@ void write_questions(JsonText& json, const Annotation& annotation) {
             .member("answer", entry.answer)
             .member("score", entry.score)
             .member("inferred", entry.inferred)
-            .member("ms", entry.ms)
-            .end();
+            .member("ms", entry.ms);
+        if (!entry.measured.empty()) json.member("measured", entry.measured);
+        json.end();
+    }
     json.end();
 }
 
@@ -76,6 +81,7 @@ void write_knowledge(JsonText& json, const Annotation& annotation) {
             .member("yes", answer.yes)
             .member("score", answer.score);
         if (answer.accepted) json.member("accepted", true);
+        if (!answer.measured.empty()) json.member("measured", answer.measured);
         json.end();
     }
     json.end().end().array("diagnosis");

@@ -76,8 +76,9 @@ std::string questions(const Annotation& annotation) {
         text += lines.substr(begin, end - begin);
         begin = end;
         if (i == 0) continue;
-        for (const std::string& fact : annotation.trace[i - 1].inferred)
-            text += "          => " + one_line(fact) + "\n";
+        const TraceEntry& entry = annotation.trace[i - 1];
+        if (!entry.measured.empty()) text += "          [" + one_line(entry.measured) + "]\n";
+        for (const std::string& fact : entry.inferred) text += "          => " + one_line(fact) + "\n";
     }
     return text;
 }

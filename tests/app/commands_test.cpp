@@ -621,5 +621,40 @@ TEST(Explain, SaysHowFarOffARelationIs) {
     EXPECT_NE(folder_of_one.err.find("name one of them: out/lamp"), std::string::npos) << folder_of_one.err;
 }
 
+/// A lying stick where posts stand: what was measured of it, and what it would be.
+TEST(Explain, SaysWhatWasMeasuredAndWhatRefusesTheNearestName) {
+    const TemporaryFolder folder;
+    folder.write("posts.omn", R"(Prefix: : <http://example.org/posts#>
+Prefix: core: <https://w3id.org/partonomy/core#>
+Ontology: <http://example.org/posts>
+    Import: <https://w3id.org/partonomy/core>
+Class: :Post
+    SubClassOf: core:Region
+    EquivalentTo: core:Region and (core:hasShape some core:Stick) and (core:hasOrientation some core:Vertical)
+Class: :Plate
+    SubClassOf: core:Region
+    EquivalentTo: core:Region and (core:hasShape some core:Board) and (core:hasOrientation some core:Vertical)
+Class: :Fence
+    SubClassOf: core:Object
+    EquivalentTo: core:Object and (core:hasPart some :Post)
+)");
+    folder.write("bar.off",
+                 "OFF\n8 6 0\n0 0 0\n1 0 0\n1 .1 0\n0 .1 0\n0 0 .1\n1 0 .1\n1 .1 .1\n0 .1 .1\n"
+                 "4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
+    EXPECT_EQ(run_partonomy({"annotate", "bar.off", "--ontology", "posts.omn", "-o", "out"}, folder.path()).exit_code,
+              2);
+    const ProgramResult result = run_partonomy({"explain", "out/bar", "--part", "1"}, folder.path());
+    EXPECT_NE(result.out.find("Shape: Stick [l0/l1 10 (wanted >= 2), l1/l2 1 (wanted <= 2)]"), std::string::npos)
+        << result.out;
+    EXPECT_NE(result.out.find("it would be a Post, but for\n    is it horizontal: yes (1.00) [inclination 0 degrees "
+                              "(wanted <= 45)]\n"),
+              std::string::npos)
+        << result.out;
+    const json annotation = json::parse(read_file(folder.path() / "out/bar/annotation.json"));
+    EXPECT_EQ(annotation.at("parts").at(0).at("nearest").at("concept"), "Post");
+    const std::string trace = read_file(folder.path() / "out/bar/trace.txt");
+    EXPECT_NE(trace.find("[inclination 0 degrees (wanted "), std::string::npos) << trace;
+}
+
 }  // namespace
 }  // namespace partonomy

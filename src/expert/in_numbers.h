@@ -3,6 +3,7 @@
 #include <span>
 #include <string>
 
+#include "algorithms/catalogue.h"
 #include "algorithms/relations.h"
 
 namespace partonomy {
@@ -11,5 +12,11 @@ namespace partonomy {
 /// of the trapezoid is at least 0.5. Empty without criteria; "?" for what nothing can tell.
 [[nodiscard]] std::string relation_in_numbers(std::span<const knowledge::Criterion> criteria, const Scene& scene,
                                               RelationMeasure::Regions regions);
+
+/// What `is a` measured, worded alike; of several criteria all when they hold, else the first that does not. Of a
+/// measured number its value. Empty where nothing can tell. Measures nothing that `is a` did not.
+[[nodiscard]] std::string is_a_in_numbers(const knowledge::Domain& domain, const Catalogue& catalogue,
+                                          knowledge::Question question, const Object& object,
+                                          const RegionMeasurements& region);
 
 }  // namespace partonomy
