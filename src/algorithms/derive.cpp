@@ -30,6 +30,7 @@ namespace {
 constexpr double too_different = 1;        // parts are not merged beyond
 constexpr std::size_t most_together = 16;  // parts: so that merging a long row of them stays cheap
 constexpr std::size_t least_curved = 8;    // triangles: fewer are a fold, no cylinder
+constexpr std::size_t least_noisy = 24;    // triangles: under noise fewer are a fold, too, and no plane, either
 constexpr double hardly_less = 0.999;
 constexpr Trapezoid near_surface{0, 0, 1, 4};  // distance over tolerance
 
@@ -112,6 +113,7 @@ public:
             const std::vector<Patch> patches = find_patches(surface, nodes_[i].part.region.triangles);
             double fit = 0;
             for (const Patch& patch : patches) {
+                if (patches.size() > 1 && surface.noise > 0 && patch.triangles.size() < least_noisy) continue;
                 Node node;
                 node.of = {i};
                 node.part = boxed(patch.triangles);

@@ -156,6 +156,15 @@ Interval shape_range(const Scene&, Surrounds s) {
     return {apart(a_from, a_to, b_from, b_to), infinity};
 }
 
+/// Noise and ragged rims hardly change it, other than the sides of boxes. What is a point from above is as wide as what
+/// is next to nothing.
+std::optional<double> girth_difference(const Scene& scene, Regions r) {
+    const auto girth = [&](const RegionPlace& place) {
+        return std::sqrt(place.spread(0, 0) + place.spread(1, 1)) + 1e-6 * scene.diagonal;
+    };
+    return change(girth(*r[0]), girth(*r[1]));
+}
+
 Interval size_range(const Scene&, Surrounds s) {
     return {apart(s[0]->size_from[0], s[0]->size_to[0], s[1]->size_from[0], s[1]->size_to[0]), infinity};
 }
@@ -186,6 +195,9 @@ void add_likeness_measures(std::vector<RelationMeasure>& measures) {
     measures.back().by_size = true;
     add("size difference", "1", "largest change of a side of the smallest box; logarithm", size_difference, size_range);
     measures.back().by_size = true;
+    add("girth difference", "1",
+        "change of how widely the surface is spread, seen from above: of the radius of upright round walls; logarithm",
+        girth_difference, nullptr);
 }
 
 }  // namespace partonomy

@@ -5,7 +5,8 @@
 // fitted best (hierarchical fitting of primitives, Attene, Falcidieno and Spagnuolo 2006), as long as one primitive
 // fits the union. Where we depart: leaves, not triangles, are merged, so there are few pairs; no pair merges across a
 // crease, whatever fits; and a simple primitive is preferred to one that fits a little better, so that noise and facets
-// do not turn cylinders into tori.
+// do not turn cylinders into tori. Noise folds a fine mesh, and makes creases around pieces of a few triangles; these
+// go to a neighbour whatever is between, or there would be thousands of patches.
 //
 // A patch is seen through at most 160 points, so a fit costs the same for any number of triangles. Cost: O(n log n) to
 // grow leaves, then some ten fits a leaf.
@@ -32,6 +33,9 @@ constexpr double leaf_angle = 14 * degree;
 constexpr double sharp = 38 * degree;  // ten sides and more are round
 constexpr double crumb = 0.002;        // of the area: such leaves go to a neighbour
 constexpr std::size_t most_points = 160;
+// Under noise: what is smaller is no leaf, whatever it is bounded by.
+constexpr std::size_t fold_triangles = 12;
+constexpr double fold_size = 10;  // of the noise that is left
 
 double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
@@ -149,6 +153,12 @@ private:
         ++a.version;
     }
 
+    /// Whether a cluster is so small that noise may have made it, and the creases around it.
+    [[nodiscard]] bool is_fold(const Cluster& cluster) const {
+        const double size = fold_size * surface_.noise;
+        return surface_.noise > 0 && (cluster.triangles.size() < fold_triangles || cluster.area < size * size);
+    }
+
     /// What noise leaves between leaves goes to the neighbour with the longest border; smallest first.
     void sweep_crumbs() {
         std::vector<std::pair<double, int>> crumbs;
@@ -158,10 +168,16 @@ private:
         for (const auto& [area, c] : crumbs) {
             const Cluster& cluster = clusters_[at(c)];
             if (cluster.area >= crumb * total_) continue;  // has grown by others
+            const bool is_free = is_fold(cluster);
             int best = -1;
+            bool is_smooth = false;
             double longest = 0;
-            for (const auto& [other, border] : cluster.borders)
-                if (!is_crease(border) && border.first > longest) longest = border.first, best = other;
+            for (const auto& [other, border] : cluster.borders) {
+                const bool smooth = !is_crease(border);
+                if (!smooth && (is_smooth || !is_free)) continue;
+                if (smooth == is_smooth && border.first <= longest) continue;
+                longest = border.first, best = other, is_smooth = smooth;
+            }
             if (best >= 0) join(best, c);
         }
     }

@@ -361,6 +361,10 @@ Opinion opinion(const std::string& name, const World& world, const Tuple& tuple)
     if (name == "plan distance") return {plan_gap(t.corners, r.corners), 0.01};
     if (name == "middle distance") return {plan_gap({t.block.centre}, r.corners), t.is_box ? 0.01 : 0.02};
     if (name == "size difference") return {(lt.array() / lr.array()).log().abs().maxCoeff(), 1e-4};
+    if (name == "girth difference") {
+        const auto girth = [](const Sampled& s) { return s.moments(0, 0) + s.moments(1, 1); };
+        return {std::abs(std::log(girth(t) / girth(r))) / 2, 0.02};
+    }
     if (name == "shape difference") {
         const auto spread = [](const Sampled& s, double length) {  // along the box's side of that length
             for (int i = 0; i < 3; ++i)

@@ -81,6 +81,27 @@ TEST(RelationCases, NoiseDoesNotTurnThemRound) {
     }
 }
 
+/// Whatever their heights and ragged rims: the criterion is met half way by walls as unlike as it says.
+TEST(RelationCases, GirthComparesRadii) {
+    constexpr unsigned seed = 14;
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    ASSERT_NE(find_relation_measure("girth difference"), nullptr);
+    for (const double ratio : {0.5, 0.8, 1.0, 1.25, 1.6})
+        for (const double noise : {0.0, 0.005}) {
+            Stage stage({});
+            stage.add_ring({0, 0, 0}, 0.3, 0.5);
+            stage.add_ring({1, 0.2, 0.3}, 0.3 * ratio, 0.2);
+            stage.move(solids::random_motion(random, noise), random);
+            stage.finish();
+            const double unlike = std::abs(std::log(ratio));
+            const std::vector<knowledge::Criterion> asked{
+                {"girth difference", unlike - 0.1, unlike, unlike, unlike + 0.1}};
+            EXPECT_GT(relation_score(asked, stage.scene, stage.at({0, 1})), noise > 0 ? 0.7 : 0.99) << ratio;
+            EXPECT_GT(relation_score(asked, stage.scene, stage.at({1, 0})), noise > 0 ? 0.7 : 0.99) << ratio;
+        }
+}
+
 /// Not a relation between regions, since the ground is none.
 TEST(RelationCases, OnTheGround) {
     constexpr unsigned seed = 13;

@@ -126,5 +126,16 @@ TEST(Patches, NoiseSizeAndTurningChangeNothing) {
         }
 }
 
+TEST(Patches, FoldsOfNoiseAreNone) {
+    // The noise is as long as the triangles' edges.
+    const TriangleMesh fine = solids::sweep(solids::rectangle(1, 0.7, 0.012), 0.3, 0.012);
+    for (unsigned seed = 1; seed <= 3; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        std::mt19937 random(seed);
+        const Cut cut(solids::disturbed(fine, 0.01, random));
+        for (const Patch& patch : cut.patches) EXPECT_GE(patch.triangles.size(), 12);
+    }
+}
+
 }  // namespace
 }  // namespace partonomy
