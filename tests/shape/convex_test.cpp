@@ -56,9 +56,7 @@ TriangleMesh screwdriver(double grip, double shaft, double length) {
         corners.emplace_back(shaft + fillet * (1 - std::sin(turn * std::numbers::pi / 180)),
                              6 * grip + fillet * (1 - std::cos(turn * std::numbers::pi / 180)));
     corners.insert(corners.end(), {{shaft, 6 * grip + length}, {0, 6 * grip + length}});
-    solids::Outline profile = solids::polygon(corners, 0.25 * shaft);
-    while (profile.back().x() == 0 && profile.back().y() < 6 * grip + length) profile.pop_back();
-    return solids::revolve(profile, 48, true);
+    return solids::revolve(solids::profile(corners, 0.25 * shaft), 48, true);
 }
 
 TEST(Sticks, AreTwoWhereOneEndsWithAShoulderAndOneWhereTheyTaper) {
@@ -72,9 +70,8 @@ TEST(Sticks, AreTwoWhereOneEndsWithAShoulderAndOneWhereTheyTaper) {
         TriangleMesh driver = screwdriver(grip, 1, length);
         shapes::turn(driver, shapes::random_turn(random));
         EXPECT_EQ(find_parts(driver).size(), 2U);
-        solids::Outline cone =
-            solids::polygon({{0, 0}, {grip, 0}, {1, 6 * grip}, {1, 6 * grip + length}, {0, 6 * grip + length}}, 0.25);
-        while (cone.back().x() == 0 && cone.back().y() < 6 * grip + length) cone.pop_back();
+        const solids::Outline cone =
+            solids::profile({{0, 0}, {grip, 0}, {1, 6 * grip}, {1, 6 * grip + length}, {0, 6 * grip + length}}, 0.25);
         TriangleMesh taper = solids::revolve(cone, 48, true);
         shapes::turn(taper, shapes::random_turn(random));
         EXPECT_EQ(find_parts(taper).size(), 1U);

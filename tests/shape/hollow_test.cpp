@@ -24,10 +24,7 @@ TriangleMesh cup() {
                                   {radius - wall, height},
                                   {radius - wall, floor_thickness},
                                   {0, floor_thickness}};
-    solids::Outline closed = solids::polygon(corners, 0.004);
-    // What polygon puts between the last corner and the first lies on the axis.
-    while (closed.back().x() == 0 && closed.back().y() < floor_thickness) closed.pop_back();
-    return solids::revolve(closed, 48, true);
+    return solids::revolve(solids::profile(corners, 0.004), 48, true);
 }
 
 /// A round stick along x whose end is hidden in the wall of the cup.

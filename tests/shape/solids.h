@@ -33,6 +33,14 @@ inline Outline polygon(const Outline& corners, double step) {
     return points;
 }
 
+/// What revolve() turns into a closed solid: points at equal steps along corners of which the first and the last lie on
+/// the axis, and nothing on the axis between the two.
+inline Outline profile(const Outline& corners, double step) {
+    Outline points = polygon(corners, step);
+    while (points.back().x() == 0 && points.back().y() < corners.back().y()) points.pop_back();
+    return points;
+}
+
 inline Outline ellipse(double a, double b, double step) {
     const int count = std::max(16, static_cast<int>(std::lround(std::numbers::pi * (a + b) / step)));
     Outline points;
