@@ -41,7 +41,7 @@ std::vector<LearnedAnswer> load_accepted_answers(const std::string& path) {
         if (!each.is_object()) wrong("is no {\"part\": …, \"feature\": …, \"value\": …}");
         LearnedAnswer answer;
         for (const auto& [key, value] : each.items()) {
-            static const std::vector<std::string> keys{"part", "feature", "value", "yes", "score", "accepted"};
+            static const std::vector<std::string> keys{"part", "feature", "value", "yes", "score", "accepted", "measured"};
             if (std::ranges::find(keys, key) == keys.end()) {
                 const std::string nearest = *std::ranges::min_element(
                     keys, {}, [&](const std::string& known) { return edit_distance(key, known); });
