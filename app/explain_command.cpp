@@ -118,24 +118,48 @@ std::vector<std::string> bearers(const json& annotation, const std::string& name
     return found;
 }
 
-/// The definition of what is impossible, which parts meet what it asks for, and whether there are too many of some.
+/// What a definition counts: "not (hasPart some Fin)" and "hasPart max 0 Fin" want fewer than one.
+struct Counted {
+    bool is_at_most = false;
+    std::size_t number = 1;
+    std::string name;
+};
+
+std::vector<Counted> counts_in(const std::string& definition) {
+    static const std::regex counted("(not \\()?hasPart (some|min|max|exactly) ?([0-9]{0,6}) ([A-Za-z_][A-Za-z0-9_]*)");
+    std::vector<Counted> result;
+    for (std::sregex_iterator found(definition.begin(), definition.end(), counted), end; found != end; ++found) {
+        const bool is_negated = (*found)[1].matched, is_max = (*found)[2] == "max";
+        if (is_negated && (*found)[2] != "some") continue;
+        const std::size_t number = (*found)[3].length() == 0 ? 1 : std::stoul((*found)[3]);
+        result.push_back({is_negated || is_max || number == 0, is_negated ? 0 : number, (*found)[4]});
+    }
+    return result;
+}
+
+/// The definition of what is impossible, which parts meet what it asks for, and whether there are too many or too few
+/// of some: only where the definition asks for nothing else, or the number may be beside the point.
 void print_in_short(const json& annotation, const json& diagnosis) {
     const std::string beginning = diagnosis.at("concept").get<std::string>() + " EquivalentTo: ";
     for (const json& axiom : diagnosis.at("axioms")) {
         const auto text = axiom.get<std::string>();
         if (!text.starts_with(beginning)) continue;
         const std::string definition = text.substr(beginning.size());
-        static const std::regex counted("hasPart (some|min|exactly) ?([0-9]*) ([A-Za-z_][A-Za-z0-9_]*)");
-        for (std::sregex_iterator found(definition.begin(), definition.end(), counted), end; found != end; ++found) {
-            const std::string name = (*found)[3], number = (*found)[2];
-            const std::vector<std::string> all = bearers(annotation, name);
-            const std::size_t least = number.empty() || number.size() > 6 ? 1 : std::stoul(number);
-            if (all.empty() || all.size() < least) continue;
-            if (least > 1)
-                fmt::print("  {} too many: {} {} ({}), where {} or more are impossible\n", all.size() - least + 1,
-                           all.size(), name, fmt::join(all, "; "), least);
-            else
-                fmt::print("  its {}: {}\n", name, fmt::join(all, "; "));
+        const std::vector<Counted> counts = counts_in(definition);
+        const std::size_t first = definition.find("hasPart ");
+        const bool is_alone = counts.size() == 1 && definition.find("hasPart ", first + 1) == std::string::npos;
+        for (const Counted& each : counts) {
+            const std::vector<std::string> all = bearers(annotation, each.name);
+            const std::string which = all.empty() ? "" : fmt::format(" ({})", fmt::join(all, "; "));
+            if (each.is_at_most ? all.size() > each.number : all.size() < each.number) continue;
+            if (each.is_at_most && is_alone)
+                fmt::print("  {} missing: {} {}{}, where at least {} is needed\n", each.number + 1 - all.size(),
+                           all.size(), each.name, which, each.number + 1);
+            else if (each.number > 1 && is_alone)
+                fmt::print("  {} too many: {} {}{}, where {} or more are impossible\n", all.size() - each.number + 1,
+                           all.size(), each.name, which, each.number);
+            else if (!all.empty())
+                fmt::print("  its {}: {}\n", each.name, fmt::join(all, "; "));
         }
         fmt::print("  it is defined as {}\n", definition);
     }
@@ -214,8 +238,9 @@ int run_explain(const Arguments& arguments) {
         }
         if (arguments.part == 0) explain_what_is_open(annotation);
         for (const json& diagnosis : annotation.at("diagnosis")) {
-            fmt::print("impossible: {}, because of part {}\n", diagnosis.at("concept").get<std::string>(),
-                       fmt::join(diagnosis.at("parts").get<std::vector<int>>(), ", "));
+            const auto parts = diagnosis.at("parts").get<std::vector<int>>();
+            fmt::print("impossible: {}, because of {}\n", diagnosis.at("concept").get<std::string>(),
+                       parts.empty() ? "the object as a whole" : fmt::format("part {}", fmt::join(parts, ", ")));
             print_in_short(annotation, diagnosis);
             if (diagnosis.contains("answers")) print_list("answers that lead to it", diagnosis.at("answers"));
             print_list("axioms that lead to it", diagnosis.at("axioms"));

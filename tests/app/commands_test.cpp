@@ -464,6 +464,29 @@ TEST(Explain, SaysFirstWhatThereIsTooMuchOf) {
     EXPECT_NE(result.out.find(" is an Arm "), std::string::npos) << result.out;
 }
 
+TEST(Explain, SaysFirstWhatIsMissing) {
+    const TemporaryFolder folder;
+    folder.write("twin.off", to_off(lamps().back().mesh));
+    const std::string lamp = read_file(std::filesystem::path(PARTONOMY_SOURCE_DIR) / "ontologies/lamps.omn");
+    const auto why = [&](const std::string& rule) {
+        folder.write("lamps.omn", lamp +
+                                      "\nClass: :Bulb\n    EquivalentTo: :Pole and (core:hasShape some core:Cube)\n" +
+                                      "\nClass: :Wrong\n    SubClassOf: core:Incompatible\n    EquivalentTo: "
+                                      ":TwinLamp and " +
+                                      rule + "\n");
+        EXPECT_EQ(run_partonomy({"annotate", "twin.off", "-O", "lamps.omn", "-o", "out"}, folder.path()).exit_code, 2);
+        return run_partonomy({"explain", "out/twin"}, folder.path()).out;
+    };
+    for (const char* none : {"(core:hasPart max 0 :Bulb)", "(not (core:hasPart some :Bulb))"})
+        EXPECT_NE(why(none).find("impossible: Wrong, because of the object as a whole\n"
+                                 "  1 missing: 0 Bulb, where at least 1 is needed\n"),
+                  std::string::npos)
+            << why(none);
+    const std::string guarded = why("(core:hasPart min 2 :Stem) and (core:hasPart max 0 :Bulb)");
+    EXPECT_EQ(guarded.find("too many"), std::string::npos) << guarded;
+    EXPECT_NE(guarded.find("\n  its Stem: part"), std::string::npos) << guarded;
+}
+
 TEST(Eval, AgainstTheTruthOfTheExamples) {
     const TemporaryFolder folder;
     fs::create_directories(folder.path() / "truth");
