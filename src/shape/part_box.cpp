@@ -175,16 +175,13 @@ private:
         Sides sides = outer;
         for (int k = 0; k < 3; ++k) {
             const double length = outer.high[k] - outer.low[k];
-            std::array<double, 2> ends;
-            for (const int sign : {-1, 1})
-                ends[sign > 0] = end(sign * axes.col(k), sign * (sign > 0 ? outer.high : outer.low)[k], length);
-            const double middle = (ends[1] - ends[0]) / 2;
+            const double middle = (outer.low[k] + outer.high[k]) / 2;
             for (const int sign : {-1, 1}) {
                 double& side = sign > 0 ? sides.high[k] : sides.low[k];
                 Eigen::Matrix3d frame;
                 frame << sign * axes.col(k), axes.col((k + 1) % 3), axes.col((k + 2) % 3);
                 const std::optional<double> place = wall(frame, sign * middle);
-                const double at = sign * place.value_or(ends[sign > 0]);
+                const double at = sign * (place ? *place : end(frame.col(0), sign * side, length));
                 if (std::abs(side - at) > hardly_farther * length) {
                     side = at;
                     sides.is_noisy = true;
