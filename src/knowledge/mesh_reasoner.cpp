@@ -133,10 +133,10 @@ struct MeshReasoner::State {
         Solver solver;
     };
 
-    /// A way to be what is asked about: all of these hold. `part`: an exact composite part (of `certain`), or -1.
+    /// Someone who may be what is asked about.
     struct Goal {
-        int literal = 0;
-        int part = -1;
+        int literal = 0;  ///< that it is
+        int part = -1;    ///< of `certain`: which has to be there as well; -1: a region, or the object
     };
 
     /// What may be meant: any region, or any composite part, unless one is given.
@@ -174,7 +174,7 @@ struct MeshReasoner::State {
             question.elements.emplace_back(element, index);
         };
         std::vector<char> follows(selectors.size(), 0);  // what is told of composite parts, from what makes them
-        for (const Told& each : told) follows[each.axiom] = 1;
+        for (const Told& each : told) follows[each.what.axiom] = 1;
         std::vector<int> is_there;  // by certain composite part
         if (to_explain) is_there = link_composites(question.solver, told);
         std::vector<int> given;
@@ -217,7 +217,6 @@ struct MeshReasoner::State {
 
     /// What the world is told of a composite part, and the literal of that (0: there is none).
     struct Told {
-        std::size_t axiom;
         MeshWorld::Told what;
         int literal;
     };
@@ -230,7 +229,7 @@ struct MeshReasoner::State {
                 literal = grounded.related(axiom.individuals[0], axiom.properties[0], axiom.individuals[1]);
             else if (axiom.classes[0]->kind == owl::ClassKind::named)
                 literal = grounded.is_a(axiom.individuals[0], axiom.classes[0]->iri);
-            result.push_back({each.axiom, each, literal});
+            result.push_back({each, literal});
         }
         return result;
     }
@@ -268,7 +267,7 @@ struct MeshReasoner::State {
         for (std::size_t i = 0; i < answers.size(); ++i)
             links.add({-selectors[mesh.first_answer + i], shifted(answers[i])});
         for (std::size_t i = 0; i < told_of.size(); ++i) {
-            links.add({-shifted(is_so[i]), selectors[told_of[i].axiom]});
+            links.add({-shifted(is_so[i]), selectors[told_of[i].what.axiom]});
             if (told_of[i].literal != 0) links.add({shifted(is_so[i]), -told_of[i].literal});
         }
         into.add_more(links);

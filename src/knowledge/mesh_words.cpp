@@ -23,8 +23,6 @@ using owl::ClassPointer;
 
 namespace {
 
-bool is_data(ClassKind kind) { return kind >= ClassKind::data_some_values_from; }
-
 owl::DataRange doubles(owl::DataRange range) {
     const Iri xsd_double = std::string(owl::xsd_prefix) + "double";
     if (range.kind == owl::DataRangeKind::datatype) range.datatype = xsd_double;

@@ -19,6 +19,9 @@ namespace partonomy::knowledge {
 /// The composite parts of one kind of group (groups.h).
 [[nodiscard]] Iri group_class(int group);
 
+/// Whether it is a restriction on a data property.
+[[nodiscard]] inline bool is_data(owl::ClassKind kind) { return kind >= owl::ClassKind::data_some_values_from; }
+
 /// Class expressions and axioms of a domain in the words of a mesh's world.
 class MeshWords {
 public:

@@ -46,8 +46,6 @@ std::string number_text(double x) {
     return {buffer, std::to_chars(buffer, buffer + sizeof buffer, x).ptr};
 }
 
-bool is_data(ClassKind kind) { return kind >= ClassKind::data_some_values_from; }
-
 class Builder {
 public:
     Builder(const Domain& domain, const Knowledge& knowledge, const std::vector<CompositePart>& composites)

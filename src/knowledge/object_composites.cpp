@@ -12,10 +12,10 @@
    the region belongs and is joined to none before it. Its concepts are literals as those of a region are.
 
    Where there may be further parts, known composite parts may be larger than they look, or one where they seem to be
-   two. What an object counts of them is open then, but for this: a composite part that has grown has no fewer regions
-   of any class, so there is one that is what it is however it grows (none of
-   composite parts, which need not grow to what belongs to it); further parts make composite parts of their own,
-   which count; and what no composite part can be is none of them.
+   two. What an object counts of them is open then, but for three things. A composite part that has grown has no fewer
+   regions of any class, so there is one that is what it is however it grows; this is not told of composite parts of
+   composite parts, since these may change as they grow, and belong no more. Further parts make composite parts of their
+   own, which count. And what no composite part can be is none of them.
 
    Cost: regions^3 gates for each group at worst, where all of them hang together; n^2 for n that do. */
 
