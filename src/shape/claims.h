@@ -36,6 +36,9 @@ void fill(const Surface& surface, const Groups& free_pieces, Parts& parts);
 /// Joins pieces that are one box within the noise of the mesh, which tore them apart.
 void rejoin_torn_parts(const Surface& surface, Parts& parts);
 
+/// Parts off what stands out of a part's box and has a box of its own: two parts that noise joined.
+void part_protrusions(const Surface& surface, Parts& parts);
+
 /// Makes one bar of two halves that the end of another stick parts.
 void join_halved_bars(const Surface& surface, Parts& parts);
 

@@ -12,7 +12,8 @@
 //   claims     sticks are cut where a board crosses them; boards take their rims and corners (claims.cpp)
 //   fill       what is left goes to the part that reaches it first, concave creases being far to cross (fill.cpp)
 //   merge      two parts that face each other at close range, or continue each other, are one (merge.cpp); so are
-//              pieces of one box that noise tore apart (rejoin.cpp) and the halves of a bar that another stick ends at;
+//              pieces of one box that noise tore apart (rejoin.cpp), while what it joined is parted (protrusions.cpp); and
+//              the halves of a bar that another stick ends at;
 //              the corner of two sticks is the level one's (stick_corners.cpp)
 //   settle     borders of fine meshes move to the creases nearby (settle.cpp)
 //   vote       each triangle of the caller goes to the part that holds most of its area
@@ -164,7 +165,10 @@ std::vector<PartRegion> find_parts(const TriangleMesh& mesh, const FindPartsOpti
     }
     clock.done("fill");
     if (options.is_joined) merge_parts(s, parts);
-    if (options.is_joined && was_rough) rejoin_torn_parts(s, parts);
+    if (options.is_joined && was_rough) {
+        rejoin_torn_parts(s, parts);
+        part_protrusions(s, parts);
+    }
     if (options.is_joined) join_halved_bars(s, parts);
     give_corners_to_level_sticks(s, options.up, parts);
     clock.done("merge");

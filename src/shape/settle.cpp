@@ -41,6 +41,7 @@ constexpr double noisy_inertia = 0.6;  // under noise growing ends farther from 
 constexpr double units = 1 << 20;      // of capacity for one mean edge
 
 using Capacity = std::int64_t;
+constexpr Capacity fixed = std::numeric_limits<std::int32_t>::max() * Capacity{1024};
 
 enum class Tree : std::uint8_t { none, source, sink };
 
@@ -251,6 +252,8 @@ public:
         const double edge = 1.5 * std::sqrt(area / static_cast<double>(border.size()));
         collect(a, b, border, std::min(strip * thickness, widest * edge));
         build(a, b, thickness);
+        keep_heart(a);
+        keep_heart(b);
         network_.fill();
         for (std::size_t k = 0; k < strip_.size(); ++k) {
             if (parts_.part_of[strip_[k]] != (network_.nodes[k].tree == Tree::source ? a : b))
@@ -310,8 +313,20 @@ private:
             node.room[e] = 1 + std::llround(unit * cost(i, e, j, thickness));
         }
         const double stay = unit * (s_.grain > 0 ? noisy_inertia : inertia) * s_.geometry.areas[i] / thickness;
-        node.terminal =
-            side * (is_edge ? std::numeric_limits<std::int32_t>::max() * Capacity{1024} : std::llround(stay));
+        node.terminal = side * (is_edge ? fixed : std::llround(stay));
+    }
+
+    /// Of a part that is all within reach of the border, the farther half stays, lest it vanish.
+    void keep_heart(std::int32_t part) {
+        double farthest = 0;
+        for (std::size_t k = 0; k < strip_.size(); ++k) {
+            if (parts_.part_of[strip_[k]] != part) continue;
+            if (std::abs(network_.nodes[k].terminal) == fixed) return;
+            farthest = std::max(farthest, distance_[k]);
+        }
+        for (std::size_t k = 0; k < strip_.size(); ++k)
+            if (parts_.part_of[strip_[k]] == part && distance_[k] > farthest / 2)
+                network_.nodes[k].terminal = network_.nodes[k].terminal < 0 ? -fixed : fixed;
     }
 
     [[nodiscard]] double cost(std::int32_t i, int e, std::int32_t j, double thickness) const {
