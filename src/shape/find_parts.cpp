@@ -13,8 +13,8 @@
 //   fill       what is left goes to the part that reaches it first, concave creases being far to cross (fill.cpp)
 //   merge      two parts that face each other at close range, or continue each other, are one (merge.cpp); so are
 //              pieces of one box that noise tore apart (rejoin.cpp), while what it joined is parted (protrusions.cpp); and
-//              the halves of a bar that another stick ends at;
-//              the corner of two sticks is the level one's (stick_corners.cpp)
+//              the halves of a bar that another stick ends at; the corner of two sticks is the level one's
+//              (stick_corners.cpp)
 //   settle     borders of fine meshes move to the creases nearby (settle.cpp)
 //   vote       each triangle of the caller goes to the part that holds most of its area
 //   connect    pieces that came off their part go to a neighbour, or are parts (connect.cpp)
