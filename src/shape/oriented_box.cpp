@@ -9,8 +9,9 @@
 // as the points are, and for eight points or fewer the normals of all their triangles. Only starts that come near the
 // best go on: one for a board, up to four for a cloud.
 //
-// Cost: only the points that are extreme along one of the spread directions take part (a few hundred at most); all
-// points are measured against the result, those that stick out join, and the last steps are repeated. So the box holds
+// Cost: only the points that are extreme along one of the spread directions take part (a few hundred at most), and more
+// of them in clouds and balls, where many boxes are nearly as small and each corner of the hull counts; all points are
+// measured against the result, those that stick out join, and the last steps are repeated. So the box holds
 // every point, and n enters linearly. PCA alone was left: on the cube of the paper's Fig. 16 its box is 3 times too
 // large.
 
@@ -23,6 +24,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <stdexcept>
 #include <vector>
 
@@ -187,9 +189,20 @@ private:
 
 constexpr Eigen::Index most_points_for_triples = 8;
 constexpr std::size_t most_points_at_once = 12;  // of more, those that are extreme somewhere take part first
-constexpr std::size_t most_starts = 8, most_improved = 4;
+constexpr std::size_t most_left_out = 4;         // of that many points, one is extreme: all take part
+constexpr std::size_t fine_mesh = 10'000;        // points: boxes of round things are alike whichever points are missed
+constexpr Eigen::Index few_corners = 32, many_corners = 200;
+
+/// How many directions boxes start from, and how many of them go on.
+struct Effort {
+    int directions;
+    std::size_t starts, improved;
+};
+constexpr Effort quick{40, 8, 4}, thorough{100, 16, 8};
+
 constexpr double too_large_to_turn = 1.5;      // times the smallest start
 constexpr double too_large_to_improve = 1.03;  // times the smallest turned box
+constexpr double round_reach = 0.62;           // into the corners of the box: a ball's is 0.58
 constexpr double second_chance = 1.01;         // a second box this near in volume may turn out to be the smaller one
 
 /// What points have along directions: the smallest and largest values, and whose they are.
@@ -299,6 +312,28 @@ Points fitted_directions(const Points& fixed, const Principal& principal) {
     return fitted;
 }
 
+/// Numbers of the points that are extreme along one of so many fitted directions. Points that lie nearer to the middle
+/// than what is known of the set reaches along every direction need no look.
+std::vector<Eigen::Index> corners_of(std::span<const Vec3> points, const std::vector<Eigen::Index>& known, int count) {
+    const Points directions = spread_directions(count);
+    const Eigen::Map<const Points> all(points.data()->data(), 3, static_cast<Eigen::Index>(points.size()));
+    const Principal principal = principal_axes(all);
+    const Points round = principal.spreads.cwiseInverse().asDiagonal() * principal.axes.transpose() *
+                         (all.colwise() - Vec3(all.rowwise().mean()));
+    const Eigen::MatrixXd along = round(Eigen::all, known).transpose() * directions;
+    const double reach = std::min(along.colwise().maxCoeff().minCoeff(), -along.colwise().minCoeff().maxCoeff());
+    std::vector<Eigen::Index> outer;
+    std::vector<Vec3> candidates;
+    for (Eigen::Index i = 0; i < round.cols(); ++i)
+        if (round.col(i).norm() >= reach) {
+            outer.push_back(i);
+            candidates.emplace_back(round.col(i));
+        }
+    std::vector<Eigen::Index> corners = extreme_points(candidates, directions);
+    for (Eigen::Index& i : corners) i = outer[static_cast<std::size_t>(i)];
+    return corners;
+}
+
 /// The three axes, and directions up to a tenth of a radian away from them.
 Points directions_near(const Matrix3d& axes) {
     Points directions(3, 27);
@@ -339,12 +374,11 @@ bool are_alike(const Matrix3d& a, const Matrix3d& b) {
 
 /// The starts: boxes about the principal axes, spread directions and, in small sets, across every triangle of points.
 /// The best ones, no two alike.
-std::vector<Turned> starting_boxes(Search& search, const Points& points) {
+std::vector<Turned> starting_boxes(Search& search, const Points& points, const Effort& effort) {
     std::vector<Turned> all;
     const Principal principal = principal_axes(points);
     for (int k = 0; k < 3; ++k) all.push_back(search.about(principal.axes.col(k)));
-    static const Points fixed = spread_directions(40);
-    const Points directions = fitted_directions(fixed, principal);
+    const Points directions = fitted_directions(spread_directions(effort.directions), principal);
     for (Eigen::Index d = 0; d < directions.cols(); ++d) all.push_back(search.about(directions.col(d)));
     if (points.cols() <= most_points_for_triples)
         for (Eigen::Index i = 0; i < points.cols(); ++i)
@@ -360,7 +394,7 @@ std::vector<Turned> starting_boxes(Search& search, const Points& points) {
         if (std::any_of(starts.begin(), starts.end(), [&](const Turned& s) { return are_alike(s.axes, box.axes); }))
             continue;
         starts.push_back(box);
-        if (starts.size() == most_starts) break;
+        if (starts.size() == effort.starts) break;
     }
     return starts;
 }
@@ -372,6 +406,34 @@ void keep_small(std::vector<Turned>& boxes, std::size_t most, double times) {
     while (boxes.back().volume > times * boxes.front().volume) boxes.pop_back();
 }
 
+/// The smallest boxes of some points, no more than a little larger than the smallest.
+std::vector<Turned> search_boxes(const Points& points, double size, const Effort& effort) {
+    Search search(points, size);
+    std::vector<Turned> boxes = starting_boxes(search, points, effort);
+    if (fills_its_corners(points, boxes.front().axes, size)) return {boxes.front()};
+    keep_small(boxes, effort.starts, too_large_to_turn);
+    for (Turned& box : boxes) search.turn_exactly(box);
+    keep_small(boxes, effort.improved, too_large_to_improve);
+    for (Turned& box : boxes) search.improve(box);
+    keep_small(boxes, effort.improved, too_large_to_improve);
+    return boxes;
+}
+
+/// How far points reach into the corners of their box, on the mean of its diagonals: 1 for a box, 0.8 for a round stick
+/// or plate, 0.58 for a ball.
+double corner_reach(const Points& points, const Matrix3d& axes) {
+    const Points turned = axes.transpose() * points;
+    const Vec3 low = turned.rowwise().minCoeff(), high = turned.rowwise().maxCoeff();
+    double sum = 0;
+    for (const double y : {-1.0, 1.0})
+        for (const double z : {-1.0, 1.0}) {
+            const Vec3 diagonal = Vec3(1, y, z).cwiseQuotient((high - low).cwiseMax(1e-12 * (high - low).norm()));
+            const Eigen::RowVectorXd along = diagonal.transpose() * turned;
+            sum += along.maxCoeff() - along.minCoeff();
+        }
+    return sum / 12;
+}
+
 }  // namespace
 
 OrientedBox smallest_box(std::span<const Vec3> points) {
@@ -381,28 +443,27 @@ OrientedBox smallest_box(std::span<const Vec3> points) {
     if (points.size() > most_points_at_once) {
         const Eigen::Map<const Points> all(points.data()->data(), 3, static_cast<Eigen::Index>(points.size()));
         chosen = extreme_points(points, fitted_directions(fixed, principal_axes(all)));
-    } else {
+    }
+    if (points.size() < most_left_out * chosen.size() || chosen.empty()) {
         chosen.resize(points.size());
-        for (std::size_t i = 0; i < points.size(); ++i) chosen[i] = static_cast<Eigen::Index>(i);
+        std::iota(chosen.begin(), chosen.end(), 0);
     }
     Points active = gather(points, chosen);
     const double size = (active.rowwise().maxCoeff() - active.rowwise().minCoeff()).norm();
     if (!(size > 0)) return measured_box(points, Matrix3d::Identity());
-
     if (const Matrix3d axes = principal_axes(active).axes; fills_its_corners(active, axes, size))
         return measured_box(points, axes);
 
-    std::vector<Turned> boxes;
-    {
-        Search search(active, size);
-        boxes = starting_boxes(search, active);
-        if (fills_its_corners(active, boxes.front().axes, size)) return measured_box(points, boxes.front().axes);
-        keep_small(boxes, most_starts, too_large_to_turn);
-        for (Turned& box : boxes) search.turn_exactly(box);
-        keep_small(boxes, most_improved, too_large_to_improve);
-        for (Turned& box : boxes) search.improve(box);
-        keep_small(boxes, 2, second_chance);
+    std::vector<Turned> boxes = search_boxes(active, size, active.cols() < few_corners ? thorough : quick);
+    if (boxes.size() > 1 && corner_reach(active, boxes.front().axes) < round_reach) {
+        // In clouds and balls, boxes that lie otherwise are nearly as small: all corners of the hull must tell.
+        if (chosen.size() < points.size()) {
+            chosen = corners_of(points, chosen, points.size() < fine_mesh ? 5120 : 640);
+            active = gather(points, chosen);
+        }
+        boxes = search_boxes(active, size, active.cols() < many_corners ? thorough : quick);
     }
+    keep_small(boxes, 2, second_chance);
     if (chosen.size() == points.size()) return measured_box(points, boxes.front().axes);
 
     // The points that were left out may stick out: those extreme along the box's axes, and along directions near them,

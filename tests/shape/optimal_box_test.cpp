@@ -52,7 +52,7 @@ TEST(SmallestBox, IsAsSmallAsTheOptimum) {
     int sets = 0, larger = 0;
     double excess = 0;
     for (const int count : {5, 8, 12, 20, 50, 200, 1000})
-        for (int round = 0; round < 8; ++round) {
+        for (int round = 0; round < 12; ++round) {
             const std::vector<Vec3> points = random_points(random, round % 4, count);
             const double ratio = smallest_box(points).volume() / cgal_volume(points);
             EXPECT_LE(ratio, 1.01) << count << " points, round " << round;
@@ -60,8 +60,8 @@ TEST(SmallestBox, IsAsSmallAsTheOptimum) {
             excess += ratio - 1;
             ++sets;
         }
-    EXPECT_LE(larger, sets / 12) << "larger than CGAL's by more than 0.01 %, of " << sets;
-    EXPECT_LE(excess / sets, 2e-4) << "mean";
+    EXPECT_LE(larger, sets / 25) << "larger than CGAL's by more than 0.01 %, of " << sets;
+    EXPECT_LE(excess / sets, 0) << "mean";
 }
 
 }  // namespace
