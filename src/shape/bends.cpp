@@ -4,27 +4,34 @@
 // them is short, nearly all of the area faces one of two directions; a board of constant curvature faces all of them
 // alike. So the direction that most of a piece faces is found, then the one that most of the rest faces, at a good
 // angle to the first, and so on. The piece is cut between these sides when what faces none of them is small against
-// each: then each is a board of its own, and the bend a border that its maker drew with a radius. Sticks are told by
-// the direction in which they run. Noise tilts a cell, so a cell faces what its triangles face on average. Cost: the
-// square of the number of cells of pieces that are not straight, and O(n) for these.
+// each: then each is a board of its own, and the bend a border that its maker drew with a radius. The curved back of a
+// chair faces many directions, but changes slowly from cell to cell: so where no flat sides are found, cells that turn
+// no faster than a gentle arc are one side (only flat sides can be told where cells are as large as the bend). Sticks
+// are told by the direction in which they run. Noise tilts a cell, so a cell faces what its triangles face on average.
+// Cost: the square of the number of cells of pieces that are not straight, and O(n) for these.
 
 #include "shape/bends.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 namespace partonomy {
 
 namespace {
 
-/// How far what faces a side may be from its direction, and how far apart sides must be. Noise tilts cells.
+/// How far what faces a flat side may be from its direction, and how far apart sides must be. Noise tilts cells.
 struct Angles {
     double alike_cosine, apart_cosine;
+    double tilt;  ///< radians: neighbouring cells less far apart are on one side
 };
-const Angles clean{std::cos(15 * std::numbers::pi / 180), std::cos(45 * std::numbers::pi / 180)};
-const Angles noisy{std::cos(22 * std::numbers::pi / 180), std::cos(60 * std::numbers::pi / 180)};
+const Angles clean{std::cos(15 * std::numbers::pi / 180), std::cos(45 * std::numbers::pi / 180),
+                   5 * std::numbers::pi / 180};
+const Angles noisy{std::cos(22 * std::numbers::pi / 180), std::cos(60 * std::numbers::pi / 180),
+                   22 * std::numbers::pi / 180};
+constexpr double gentle_radius = 7;    // thicknesses: an arc so wide does not end a side
 constexpr double most_between = 0.35;  // of the smallest side
 constexpr double least_side = 0.1;     // of the piece
 constexpr std::size_t most_sides = 4;
@@ -53,8 +60,8 @@ struct Directions {
         return !(shares[1] > hardly_bent * area);
     }
 
-    /// The directions of the flat sides; fewer than two when the piece is not bent tightly.
-    [[nodiscard]] std::vector<Vec3> sides(const Angles& angles) const {
+    /// The flat side that each cell is on, or is nearest to in direction; none when what is between them is too large.
+    [[nodiscard]] std::vector<std::int32_t> flat_sides(const Angles& angles) const {
         std::vector<Vec3> found;
         std::vector<char> is_left(cells.size(), 1);
         double all = 0, between = 0, least = 0;
@@ -81,8 +88,75 @@ struct Directions {
             least = most;
             found.push_back(side);
         }
-        if (between > most_between * least) found.clear();
-        return found;
+        if (found.size() < 2 || between > most_between * least) return {};
+        std::vector<std::int32_t> side_of;
+        for (const Vec3& line : lines) side_of.push_back(nearest_side(found, line));
+        return side_of;
+    }
+
+    /// The same for sides that may be curved: cells that hang together, each turning but slowly from the next.
+    [[nodiscard]] std::vector<std::int32_t> slow_sides(const CellMap& m, const Angles& angles) const {
+        struct Side {
+            double area = 0;
+            Tensor facing = Tensor::Zero();
+            std::int32_t number = -1;
+        };
+        Sets sets = join_slow_turns(m, angles);
+        std::map<std::int32_t, Side> sides;
+        double between = 0;
+        for (std::size_t k = 0; k < cells.size(); ++k) {
+            Side& side = sides[sets.find(static_cast<std::int32_t>(k))];
+            side.area += areas[k];
+            side.facing += areas[k] * lines[k] * lines[k].transpose();
+            between += areas[k];
+        }
+        const double all = between;
+        std::vector<Vec3> found;
+        std::vector<double> found_area;
+        for (auto& [root, side] : sides) {
+            if (side.area < least_side * all) continue;
+            const Vec3 line = main_direction(side.facing);
+            const auto same = std::ranges::find_if(
+                found, [&](const Vec3& other) { return std::abs(line.dot(other)) > angles.apart_cosine; });
+            side.number = static_cast<std::int32_t>(same - found.begin());
+            if (same == found.end()) {
+                found.push_back(line);
+                found_area.push_back(0);
+            }
+            found_area[side.number] += side.area;
+            between -= side.area;
+        }
+        if (found.size() < 2 || between > most_between * std::ranges::min(found_area)) return {};
+        std::vector<std::int32_t> side_of;
+        for (std::size_t k = 0; k < cells.size(); ++k) {
+            const std::int32_t number = sides[sets.find(static_cast<std::int32_t>(k))].number;
+            side_of.push_back(number >= 0 ? number : nearest_side(found, lines[k]));
+        }
+        return side_of;
+    }
+
+private:
+    static std::int32_t nearest_side(const std::vector<Vec3>& sides, const Vec3& line) {
+        const auto nearest =
+            std::ranges::max_element(sides, {}, [&](const Vec3& side) { return std::abs(side.dot(line)); });
+        return static_cast<std::int32_t>(nearest - sides.begin());
+    }
+
+    [[nodiscard]] Sets join_slow_turns(const CellMap& m, const Angles& angles) const {
+        std::vector<std::int32_t> place(m.cells.size(), -1);
+        for (std::size_t k = 0; k < cells.size(); ++k) place[cells[k]] = static_cast<std::int32_t>(k);
+        const auto where = [&](std::size_t k) { return m.surface.geometry.barycentres[m.seeds[cells[k]]]; };
+        Sets sets(cells.size());
+        for (std::size_t k = 0; k < cells.size(); ++k)
+            for (const std::int32_t neighbour : m.cells[cells[k]].neighbours) {
+                const std::int32_t b = place[neighbour];
+                if (b < 0) continue;
+                const double turn = std::acos(std::min(1.0, std::abs(lines[k].dot(lines[b]))));
+                const double way = (where(b) - where(k)).norm();
+                if (turn < std::max(angles.tilt, way / (gentle_radius * m.component.thickness)))
+                    sets.join(static_cast<std::int32_t>(k), b);
+            }
+        return sets;
     }
 };
 
@@ -115,13 +189,10 @@ std::vector<std::int32_t> tell_sides_of_bends(const CellMap& m, Sets& pieces) {
             for (std::size_t k = 0; k < piece.cells.size(); ++k)
                 piece.lines[k] = main_direction(facing[piece.cells[k]]);
         }
-        const std::vector<Vec3> sides = piece.sides(m.surface.grain > 0 ? noisy : clean);
-        if (sides.size() < 2) continue;
-        for (std::size_t k = 0; k < piece.cells.size(); ++k) {
-            const auto nearest = std::ranges::max_element(
-                sides, {}, [&](const Vec3& side) { return std::abs(side.dot(piece.lines[k])); });
-            side_of[piece.cells[k]] = static_cast<std::int32_t>(nearest - sides.begin());
-        }
+        const Angles& angles = m.surface.grain > 0 ? noisy : clean;
+        std::vector<std::int32_t> sides = piece.flat_sides(angles);
+        if (sides.empty()) sides = piece.slow_sides(m, angles);
+        for (std::size_t k = 0; k < sides.size(); ++k) side_of[piece.cells[k]] = sides[k];
     }
     return side_of;
 }

@@ -43,12 +43,13 @@ public:
         smooth();
         const bool has_narrow = tell_narrow_boards(cells_);
         const CellMap map{s_, component, seeds_, cells_, cell_of_, component_of_, own_};
-        Sets sets = join_alike(std::vector<std::int32_t>(cells_.size(), 0));
+        std::vector<std::int32_t> sides(cells_.size(), 0);
         if (!slanted_) {
-            const std::vector<std::int32_t> sides = tell_sides_of_bends(map, sets);
-            if (std::ranges::any_of(sides, [](std::int32_t side) { return side > 0; })) sets = join_alike(sides);
+            Sets of_any_width = join_alike(sides, [](const Cell&, const Cell&) { return true; });
+            sides = tell_sides_of_bends(map, of_any_width);
         }
-        if (has_narrow) parted_ = part_narrow_boards(map, sets);
+        Sets sets = join_alike(sides, [](const Cell& a, const Cell& b) { return a.is_narrow == b.is_narrow; });
+        if (has_narrow) parted_ = part_narrow_boards(map, sides, sets);
         absorb_small(sets, component);
         emit(component, sets, out);
     }
@@ -165,16 +166,17 @@ private:
     }
 
     static bool same_part(const Cell& a, const Cell& b, bool slanted) {
-        if (a.kind != b.kind || a.is_narrow != b.is_narrow || a.is_junction || b.is_junction) return false;
+        if (a.kind != b.kind || a.is_junction || b.is_junction) return false;
         return slanted || a.kind != Solidity::stick || std::abs(a.along.dot(b.along)) > turn_cosine;
     }
 
     /// Neighbours that are alike, and on the same side of a bend.
-    [[nodiscard]] Sets join_alike(const std::vector<std::int32_t>& sides) const {
+    template <class Alike>
+    [[nodiscard]] Sets join_alike(const std::vector<std::int32_t>& sides, const Alike& alike) const {
         Sets sets(cells_.size());
         for (std::size_t a = 0; a < cells_.size(); ++a)
             for (const std::int32_t b : cells_[a].neighbours)
-                if (sides[a] == sides[b] && same_part(cells_[a], cells_[b], slanted_))
+                if (sides[a] == sides[b] && alike(cells_[a], cells_[b]) && same_part(cells_[a], cells_[b], slanted_))
                     sets.join(static_cast<std::int32_t>(a), b);
         return sets;
     }

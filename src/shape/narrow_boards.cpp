@@ -128,7 +128,7 @@ bool tell_narrow_boards(std::vector<Cell>& cells) {
     return false;
 }
 
-std::vector<PartedBoards> part_narrow_boards(const CellMap& m, Sets& sets) {
+std::vector<PartedBoards> part_narrow_boards(const CellMap& m, const std::vector<std::int32_t>& sides, Sets& sets) {
     const Surface& s = m.surface;
     std::vector<PartedBoards> parted;
     std::vector<double> area(m.cells.size(), 0.0), width(m.cells.size(), 0.0);
@@ -145,6 +145,7 @@ std::vector<PartedBoards> part_narrow_boards(const CellMap& m, Sets& sets) {
     const Borders borders = borders_between(m, piece_of, origin);
     for (const auto& [pair, border] : borders) {
         const auto [a, b] = pair;
+        if (sides[a] != sides[b]) continue;
         if (!(border.length > 0 && area[a] > 0 && area[b] > 0)) {
             sets.join(a, b);
             continue;
@@ -170,8 +171,9 @@ std::vector<PartedBoards> part_narrow_boards(const CellMap& m, Sets& sets) {
     // What touches through the board only lies along it, too.
     for (std::size_t k = 0; k < m.cells.size(); ++k)
         for (const std::int32_t n : m.cells[k].neighbours)
-            if (m.cells[k].kind == Solidity::board && m.cells[n].kind == Solidity::board && !m.cells[k].is_junction &&
-                !m.cells[n].is_junction && !borders.contains(std::minmax(piece_of[k], piece_of[n])))
+            if (sides[k] == sides[n] && m.cells[k].kind == Solidity::board && m.cells[n].kind == Solidity::board &&
+                !m.cells[k].is_junction && !m.cells[n].is_junction &&
+                !borders.contains(std::minmax(piece_of[k], piece_of[n])))
                 sets.join(piece_of[k], piece_of[n]);
     return parted;
 }

@@ -27,8 +27,8 @@ using PartedBoards = std::pair<std::int32_t, std::int32_t>;
 /// Marks the cells on the narrow side of a gap in the widths of boards. False: there is no gap.
 bool tell_narrow_boards(std::vector<Cell>& cells);
 
-/// Joins marked and unmarked pieces again unless one is a narrow board that ends at the other, as a slat at its rail.
-/// Returns what stays apart.
-std::vector<PartedBoards> part_narrow_boards(const CellMap& map, Sets& pieces);
+/// Joins marked and unmarked pieces on one side of a bend again unless one is a narrow board that ends at the other, as
+/// a slat at its rail; `sides` of the cells. Returns what stays apart.
+std::vector<PartedBoards> part_narrow_boards(const CellMap& map, const std::vector<std::int32_t>& sides, Sets& pieces);
 
 }  // namespace partonomy

@@ -104,6 +104,30 @@ TEST(BentBoard, IsCutAtTheBend) {
     }
 }
 
+TEST(BentBoard, IsTwoAlsoWhereTheBackIsCurved) {
+    for (const double bulge : {0.02, 0.05, 0.08}) {
+        SCOPED_TRACE(bulge);
+        const Bend bend{0.45, 0.06, 90, 0.45};
+        TriangleMesh mesh = bent_board(bend, 0.008);
+        enum class Side : std::uint8_t { seat, between, back };
+        std::vector<Side> sides;
+        for (Vec3& point : mesh.positions) {
+            sides.push_back(point.z() > 0.08 ? Side::back : point.x() > 0.44 ? Side::between : Side::seat);
+            const double aside = 2 * point.y() / width - 1;
+            point.x() += bulge * (1 - aside * aside) * std::clamp(point.x() / bend.before, 0.0, 1.0);
+        }
+        const std::vector<PartRegion> parts = find_parts(mesh);
+        ASSERT_EQ(parts.size(), 2U);
+        for (const PartRegion& part : parts) {
+            std::map<Side, int> votes;
+            for (const std::int32_t t : part.region.triangles)
+                ++votes[sides[static_cast<std::size_t>(mesh.triangles[static_cast<std::size_t>(t)][0])]];
+            const auto [few, many] = std::minmax(votes[Side::seat], votes[Side::back]);
+            EXPECT_LT(few, 0.02 * many);
+        }
+    }
+}
+
 TEST(CornerOfSticks, IsTheLevelOnes) {
     const shapes::Labelled object =
         shapes::join({{Vec3(0, 0, 0), Vec3(1, 0.15, 0.15), 0}, {Vec3(0, 0, 0.15), Vec3(0.15, 0.15, 0.8), 1}}, 0.03);
