@@ -8,6 +8,7 @@ namespace partonomy {
 
 [[nodiscard]] Adjacency build_adjacency(const TriangleMesh& mesh, int threads);
 [[nodiscard]] TriangleGeometry compute_geometry(const TriangleMesh& mesh, int threads);
+void compute_geometry(const TriangleMesh& mesh, int threads, TriangleGeometry& geometry);  ///< over what was there
 [[nodiscard]] Bounds compute_bounds(const TriangleMesh& mesh, int threads);
 [[nodiscard]] Bounds compute_used_bounds(const TriangleMesh& mesh, int threads);
 

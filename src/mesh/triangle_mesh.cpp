@@ -107,6 +107,11 @@ Adjacency build_adjacency(const TriangleMesh& mesh, int threads) {
 
 TriangleGeometry compute_geometry(const TriangleMesh& mesh, int threads) {
     TriangleGeometry geometry;
+    compute_geometry(mesh, threads, geometry);
+    return geometry;
+}
+
+void compute_geometry(const TriangleMesh& mesh, int threads, TriangleGeometry& geometry) {
     geometry.areas.resize(mesh.triangles.size());
     geometry.normals.resize(mesh.triangles.size());
     geometry.barycentres.resize(mesh.triangles.size());
@@ -123,7 +128,6 @@ TriangleGeometry compute_geometry(const TriangleMesh& mesh, int threads) {
             geometry.barycentres[t] = (p + q + r) / 3;
         }
     });
-    return geometry;
 }
 
 namespace {

@@ -38,11 +38,12 @@ public:
                                               const auto& [a, b, c] = mesh.triangles[t];
                                               put(a, Side{b, c}), put(b, Side{c, a}), put(c, Side{a, b});
                                           })),
-          next_(mesh.positions.size()) {}
+          threads_(threads) {}
 
-    /// Every vertex goes the part `share` of its way.
-    void relax(std::vector<Vec3>& positions, double share, int threads) {
-        for_each_range(positions.size(), threads, [&](std::size_t begin, std::size_t end) {
+    /// Where vertices come to when each goes the part `share` of its way.
+    void relax(const std::vector<Vec3>& positions, double share, std::vector<Vec3>& relaxed) {
+        next_.resize(positions.size());
+        for_each_range(positions.size(), threads_, [&](std::size_t begin, std::size_t end) {
             for (std::size_t v = begin; v < end; ++v) {
                 Vec3 sum = Vec3::Zero();
                 const auto around = std::as_const(around_)[v];
@@ -54,12 +55,13 @@ public:
                 next_[v] = count > 0 ? Vec3(positions[v] + share * (sum / count - positions[v])) : positions[v];
             }
         });
-        positions.swap(next_);
+        relaxed.swap(next_);
     }
 
 private:
     using Side = std::array<std::int32_t, 2>;
     Buckets<Side> around_;  ///< neighbours of each vertex: the opposite side of each triangle
+    int threads_;
     std::vector<Vec3> next_;
 };
 
@@ -93,15 +95,17 @@ Calming calm(const TriangleMesh& mesh, const Adjacency& adjacency, TriangleGeome
     const double before = roughness(adjacency, geometry, threads);
     if (before < clean_degrees) return {};
     const double area = sum(geometry.areas, threads);
-    Calming result{mesh, grain * std::sqrt(area / static_cast<double>(geometry.areas.size())),
+    Calming result{{{}, mesh.triangles, mesh.input_faces, mesh.input_face_count, mesh.repeated_faces},
+                   grain * std::sqrt(area / static_cast<double>(geometry.areas.size())),
                    before > blurred_degrees};
     Relaxation relaxation(mesh, threads);
+    std::vector<Vec3>& positions = result.mesh.positions;
     for (int round = 0; round < most_rounds; ++round) {
         for (int step = 0; step < steps_a_round; ++step) {
-            relaxation.relax(result.mesh.positions, forth, threads);
-            relaxation.relax(result.mesh.positions, back, threads);
+            relaxation.relax(round + step == 0 ? mesh.positions : positions, forth, positions);
+            relaxation.relax(positions, back, positions);
         }
-        geometry = compute_geometry(result.mesh, threads);
+        compute_geometry(result.mesh, threads, geometry);
         if (roughness(adjacency, geometry, threads) < calm_degrees) break;
     }
     return result;

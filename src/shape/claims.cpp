@@ -19,6 +19,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -457,18 +458,41 @@ Groups free_pieces(const Surface& s, const Parts& parts) {
 
 void found_new_parts(const Surface& s, const Groups& free_pieces, Parts& parts) {
     const double total = sum(s.geometry.areas, s.threads);
+    struct Measured {
+        double area = 0, facing = 0;
+    };
+    std::vector<Measured> measured(free_pieces.size());
+    const auto add_up = [&](std::span<const std::int32_t> piece, const auto& value) {
+        const auto sums = map_blocks(piece.size(), s.threads, [&](std::size_t begin, std::size_t end) {
+            double sum = 0;
+            for (std::size_t k = begin; k < end; ++k) sum += value(piece[k]);
+            return sum;
+        });
+        return std::accumulate(sums.begin(), sums.end(), 0.0);
+    };
+    const auto measure = [&](std::span<const std::int32_t> piece) {
+        Measured result{add_up(piece, [&](std::int32_t i) { return s.geometry.areas[i]; })};
+        if (result.area < 2e-3 * total) return result;
+        result.facing = add_up(piece, [&](std::int32_t i) {
+            const std::int32_t o = s.thickness.opposites[i];
+            if (o < 0 || parts.part_of[o] >= 0) return 0.0;
+            // Noise makes neighbours face each other: such a ray goes hardly deeper than the triangle is large.
+            if (s.thickness.distances[i] < std::sqrt(s.geometry.areas[i])) return 0.0;
+            return std::ranges::binary_search(piece, o) ? s.geometry.areas[i] : 0.0;
+        });
+        return result;
+    };
+    constexpr std::size_t grain = 64;
+    for_each_range(
+        measured.size(), s.threads,
+        [&](std::size_t begin, std::size_t end) {
+            for (std::size_t k = begin; k < end; ++k) measured[k] = measure(free_pieces[k]);
+        },
+        grain);
     for (std::size_t k = 0; k < free_pieces.size(); ++k) {
         const auto piece = free_pieces[k];
-        double area = 0, facing = 0;
-        for (const std::int32_t i : piece) area += s.geometry.areas[i];
-        if (area < 2e-3 * total) continue;
-        for (const std::int32_t i : piece) {
-            const std::int32_t o = s.thickness.opposites[i];
-            // Noise makes neighbours face each other: such a ray goes hardly deeper than the triangle is large.
-            if (o < 0 || s.thickness.distances[i] < std::sqrt(s.geometry.areas[i])) continue;
-            if (std::binary_search(piece.begin(), piece.end(), o)) facing += s.geometry.areas[i];
-        }
-        if (facing < 0.6 * area) continue;
+        const auto [area, facing] = measured[k];
+        if (area < 2e-3 * total || facing < 0.6 * area) continue;
         Core core;
         core.kind = Solidity::stick;
         core.triangles.assign(piece.begin(), piece.end());

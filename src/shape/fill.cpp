@@ -2,14 +2,19 @@
 //
 // All parts grow over the free triangles at once, along the surface, nearest first (Dijkstra). A step over a concave
 // bend is long, in proportion to the part's thickness. Between exact planes a board hardly grows out of its slab along
-// a flat face. Ties go by triangle number. Free pieces that do not touch are filled side by side. Cost: O(m log m) for
-// m free triangles.
+// a flat face. Ties go by triangle number. Noise leaves one piece that holds most of what is free, over which growing
+// goes in one order only; so how far it is over each edge is measured first, on all threads, and growing finds all that
+// it needs of a triangle in one place. Free pieces that do not touch are filled side by side. Cost: O(m log m) for m
+// free triangles.
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <memory>
+#include <utility>
 
 #include "base/ranges.h"
 #include "shape/claims.h"
@@ -18,74 +23,141 @@ namespace partonomy {
 
 namespace {
 
+constexpr double outside_exact = 20, flat_turn = 1e-4;
+constexpr double concave = 5;  // thicknesses that a right angle inward is long
+
+/// A free triangle, by its place among the free ones.
+struct Place {
+    std::array<std::int32_t, 3> next;  ///< place across each edge, or see part_number()
+    float best;                        ///< cost of the best way, rounded up, so that ties stay; settled: < 0
+    std::array<double, 3> length;      ///< from barycentre to barycentre
+    std::array<double, 3> bend;        ///< what crossing the edge costs, in thicknesses; 0: not concave
+
+    static constexpr std::int32_t nothing = -1;
+    /// Parts that are there already are told by numbers below `nothing`; the same both ways.
+    static std::int32_t part_number(std::int32_t part) { return nothing - 1 - part; }
+};
+
 struct Step {
     double cost;
-    std::int32_t triangle;
+    std::int32_t place;
     std::int32_t part;
     bool operator>(const Step& other) const {
         if (cost != other.cost) return cost > other.cost;
-        return triangle != other.triangle ? triangle > other.triangle : part > other.part;
+        return place != other.place ? place > other.place : part > other.part;
     }
 };
 
-constexpr double outside_exact = 20, flat_turn = 1e-4;
-constexpr double concave = 5;  // thicknesses that a right angle inward is long
+double turn_between(const Surface& s, std::int32_t i, std::int32_t j) {
+    return 1 - s.geometry.normals[i].dot(s.geometry.normals[j]);
+}
+
+/// All free triangles, those of a piece beside each other and ascending.
+std::unique_ptr<Place[]> find_places(const Surface& s, const Groups& free_pieces, const Parts& parts) {
+    const auto count = static_cast<std::size_t>(free_pieces.begins.back());
+    auto places = std::make_unique_for_overwrite<Place[]>(count);
+    const auto place_of = std::make_unique_for_overwrite<std::int32_t[]>(s.count());
+    for_each_range(count, s.threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) place_of[free_pieces.items[k]] = static_cast<std::int32_t>(k);
+    });
+    const auto measure = [&](std::int32_t i) {
+        constexpr std::int32_t nothing = Place::nothing;
+        Place place{{nothing, nothing, nothing}, std::numeric_limits<float>::infinity(), {}, {}};
+        for (std::size_t e = 0; e < 3; ++e) {
+            const std::int32_t j = s.adjacency.neighbours[i][e];
+            if (j < 0) continue;
+            const std::int32_t part = parts.part_of[j];
+            place.next[e] = part < 0 ? place_of[j] : Place::part_number(part);
+            const Vec3 way = s.geometry.barycentres[j] - s.geometry.barycentres[i];
+            place.length[e] = way.norm();
+            if (way.dot(s.geometry.normals[i] - s.geometry.normals[j]) > 0)
+                place.bend[e] = concave * turn_between(s, i, j);
+        }
+        return place;
+    };
+    for_each_range(count, s.threads, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k)
+            if (const std::int32_t i = free_pieces.items[k]; parts.part_of[i] < 0) places[k] = measure(i);
+    });
+    return places;
+}
 
 /// Lets parts grow over one free piece after the other.
 class Growth {
 public:
-    Growth(const Surface& surface, Parts& parts, std::vector<float>& best) : s_(surface), parts_(parts), best_(best) {}
+    Growth(const Surface& surface, std::span<const std::int32_t> triangles, Place* places, Parts& parts)
+        : s_(surface), triangles_(triangles), places_(places), parts_(parts) {}
 
-    void over(std::span<const std::int32_t> piece) {
-        for (const std::int32_t i : piece) {
-            best_[i] = std::numeric_limits<float>::infinity();
-            for (const std::int32_t from : s_.adjacency.neighbours[i])
-                if (from >= 0 && parts_.part_of[from] >= 0) reach(from, i, 0);
-        }
+    void over(std::int32_t begin, std::int32_t end) {
+        for (std::int32_t k = begin; k < end; ++k)
+            for (std::size_t e = 0; e < 3; ++e)
+                if (const std::int32_t next = places_[k].next[e]; next < Place::nothing)
+                    reach(Place::part_number(next), s_.adjacency.neighbours[triangles_[k]][e], k, e, k, 0);
         while (!queue_.empty()) {
             std::pop_heap(queue_.begin(), queue_.end(), std::greater<>());
             const Step step = queue_.back();
             queue_.pop_back();
-            if (parts_.part_of[step.triangle] >= 0) continue;
-            parts_.part_of[step.triangle] = step.part;
-            for (const std::int32_t j : s_.adjacency.neighbours[step.triangle])
-                if (j >= 0 && parts_.part_of[j] < 0) reach(step.triangle, j, step.cost);
+            Place& place = places_[step.place];
+            if (std::exchange(place.best, -1.0F) < 0) continue;
+            parts_.part_of[triangles_[step.place]] = step.part;
+            for (std::size_t e = 0; e < 3; ++e)
+                if (const std::int32_t next = place.next[e]; next >= 0)
+                    reach(step.part, triangles_[step.place], step.place, e, next, step.cost);
         }
     }
 
 private:
-    void reach(std::int32_t from, std::int32_t j, double cost) {
-        const Core& part = parts_.parts[parts_.part_of[from]];
-        const Vec3 way = s_.geometry.barycentres[j] - s_.geometry.barycentres[from];
-        const double turn = 1 - s_.geometry.normals[from].dot(s_.geometry.normals[j]);
-        const bool is_concave = way.dot(s_.geometry.normals[from] - s_.geometry.normals[j]) > 0;
-        const double crease = is_concave ? concave * turn * part.thickness : 0;
-        const double u = (s_.geometry.barycentres[j] - part.middle).dot(part.normal);
-        const bool outside = part.is_exact && turn < flat_turn && std::abs(u) > 1.05 * part.half;
-        const double total = cost + (outside ? outside_exact : 1) * way.norm() + crease;
-        if (total > static_cast<double>(best_[j])) return;
-        best_[j] = std::nextafter(static_cast<float>(total), std::numeric_limits<float>::infinity());
-        queue_.push_back({total, j, parts_.part_of[from]});
+    /// From triangle `from` of a part to the one at place `to`, over an edge that is told at a place.
+    void reach(std::int32_t number, std::int32_t from, std::int32_t place, std::size_t edge, std::int32_t to,
+               double cost) {
+        const Core& part = parts_.parts[number];
+        const double length = places_[place].length[edge], bend = places_[place].bend[edge];
+        const double crease = bend != 0 ? bend * part.thickness : 0;
+        const bool is_outside = part.is_exact && lies_outside(part, from, triangles_[to]);
+        const double total = cost + (is_outside ? outside_exact : 1) * length + crease;
+        float& best = places_[to].best;
+        if (!(total <= static_cast<double>(best))) return;
+        best = std::nextafter(static_cast<float>(total), std::numeric_limits<float>::infinity());
+        queue_.push_back({total, to, number});
         std::push_heap(queue_.begin(), queue_.end(), std::greater<>());
     }
 
+    [[nodiscard]] bool lies_outside(const Core& board, std::int32_t from, std::int32_t j) const {
+        const double u = (s_.geometry.barycentres[j] - board.middle).dot(board.normal);
+        return std::abs(u) > 1.05 * board.half && turn_between(s_, from, j) < flat_turn;
+    }
+
     const Surface& s_;
+    std::span<const std::int32_t> triangles_;  ///< by place
+    Place* places_;
     Parts& parts_;
-    std::vector<float>& best_;  ///< cost of the best way to each free triangle, rounded up: ties stay in the queue
-    std::vector<Step> queue_;   ///< a heap
+    std::vector<Step> queue_;  ///< a heap
 };
 
 }  // namespace
 
 void fill(const Surface& s, const Groups& free_pieces, Parts& parts) {
-    std::vector<float> best(s.count());
-    // Parts are all around a piece, so pieces know nothing of each other.
+    const auto places = find_places(s, free_pieces, parts);
+    // Parts are all around a piece, so pieces know nothing of each other. Large ones come first, each by itself; of
+    // small ones many are a piece of work.
+    constexpr std::size_t enough_work = 1024;
+    std::vector<std::size_t> order;
+    for (std::size_t k = 0; k < free_pieces.size(); ++k)
+        if (parts.part_of[free_pieces[k].front()] < 0) order.push_back(k);
+    std::ranges::stable_sort(order, std::greater<>(), [&](std::size_t k) { return free_pieces[k].size(); });
+    std::vector<std::size_t> starts;  // of work
+    for (std::size_t k = 0, work = enough_work; k < order.size(); ++k) {
+        if (work >= enough_work) starts.push_back(k), work = 0;
+        work += free_pieces[order[k]].size();
+    }
+    starts.push_back(order.size());
+    const std::span<const std::int32_t> triangles(free_pieces.items.get(), free_pieces.begins.back());
     for_each_range(
-        free_pieces.size(), s.threads,
+        starts.size() - 1, s.threads,
         [&](std::size_t begin, std::size_t end) {
-            Growth growth(s, parts, best);
-            for (std::size_t k = begin; k < end; ++k)
-                if (parts.part_of[free_pieces[k].front()] < 0) growth.over(free_pieces[k]);
+            Growth growth(s, triangles, places.get(), parts);
+            for (std::size_t k = starts[begin]; k < starts[end]; ++k)
+                growth.over(free_pieces.begins[order[k]], free_pieces.begins[order[k] + 1]);
         },
         1);
 }

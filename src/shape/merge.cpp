@@ -259,13 +259,11 @@ bool is_same_board(const Border& border, const Core& a, const Core& b, const Lie
 /// A few triangles of each part.
 std::vector<std::vector<std::int32_t>> sample(const Surface& s, const Parts& parts) {
     constexpr std::size_t enough = 48;
-    std::vector<std::size_t> counts(parts.parts.size(), 0), seen(parts.parts.size(), 0);
-    for (const std::int32_t k : parts.part_of)
-        if (k >= 0) ++counts[k];
-    std::vector<std::vector<std::int32_t>> samples(parts.parts.size());
-    for (std::size_t i = 0; i < s.count(); ++i)
-        if (const std::int32_t k = parts.part_of[i]; k >= 0 && seen[k]++ % (1 + counts[k] / enough) == 0)
-            samples[k].push_back(static_cast<std::int32_t>(i));
+    const Groups members = group_members(parts.part_of, parts.parts.size(), s.threads);
+    std::vector<std::vector<std::int32_t>> samples(members.size());
+    for (std::size_t k = 0; k < members.size(); ++k)
+        for (std::size_t at = 0; at < members[k].size(); at += 1 + members[k].size() / enough)
+            samples[k].push_back(members[k][at]);
     return samples;
 }
 

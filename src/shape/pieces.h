@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <set>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "base/buckets.h"
@@ -64,6 +66,27 @@ using Groups = Buckets<std::int32_t>;
     return sort_into_buckets<std::int32_t>(group_of.size(), groups, threads, [&](std::size_t i, const auto& put) {
         if (group_of[i] >= 0) put(group_of[i], static_cast<std::int32_t>(i));
     });
+}
+
+/// Pairs of groups that meet over an edge, the lower number first. O(n).
+[[nodiscard]] inline std::set<std::pair<std::int32_t, std::int32_t>> meeting_groups(
+    const Adjacency& adjacency, std::span<const std::int32_t> group_of, int threads) {
+    using Pairs = std::set<std::pair<std::int32_t, std::int32_t>>;
+    const auto of_blocks = map_blocks(group_of.size(), threads, [&](std::size_t begin, std::size_t end) {
+        Pairs pairs;
+        std::pair<std::int32_t, std::int32_t> last(-1, -1);  // most pairs come again and again
+        for (std::size_t i = begin; i < end; ++i) {
+            const std::int32_t own = group_of[i];
+            if (own < 0) continue;
+            for (const std::int32_t j : adjacency.neighbours[i])
+                if (j >= 0 && group_of[j] > own && last != std::pair(own, group_of[j]))
+                    pairs.insert(last = {own, group_of[j]});
+        }
+        return pairs;
+    });
+    Pairs all;
+    for (const Pairs& some : of_blocks) all.insert(some.begin(), some.end());
+    return all;
 }
 
 }  // namespace partonomy

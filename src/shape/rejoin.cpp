@@ -58,17 +58,10 @@ using Pair = std::pair<std::int32_t, std::int32_t>;
 
 void rejoin_torn_parts(const Surface& s, Parts& parts) {
     const std::size_t count = parts.parts.size();
-    std::vector<std::vector<std::int32_t>> members(count);
-    std::set<Pair> borders;
-    std::vector<Boxed> boxed(count);
-    for (std::size_t i = 0; i < s.count(); ++i) {
-        const std::int32_t own = parts.part_of[i];
-        if (own < 0) continue;
-        members[own].push_back(static_cast<std::int32_t>(i));
-        for (const std::int32_t j : s.adjacency.neighbours[i])
-            if (j >= 0 && parts.part_of[j] > own) borders.emplace(own, parts.part_of[j]);
-    }
+    std::set<Pair> borders = meeting_groups(s.adjacency, parts.part_of, s.threads);
     if (borders.empty()) return;
+    const Groups members = group_members(parts.part_of, count, s.threads);
+    std::vector<Boxed> boxed(count);
     const auto for_each_of = [&](std::size_t things, const auto& work) {
         for_each_range(
             things, s.threads,
@@ -92,10 +85,11 @@ void rejoin_torn_parts(const Surface& s, Parts& parts) {
         for (std::size_t k = 0; k < untried.size(); ++k) unions.emplace(untried[k], std::move(tried[k]));
         const auto best = std::ranges::min_element(unions, {}, [](const auto& entry) { return entry.second.beyond; });
         if (best == unions.end() || best->second.beyond > some_of_it) return;
-        auto [to, from] = best->first;
+        std::int32_t to = best->first.first, from = best->first.second;
         if (boxed[to].area < boxed[from].area) std::swap(to, from);
-        for (std::int32_t& part : parts.part_of)
-            if (part == from) part = to;
+        for_each_range(s.count(), s.threads, [&](std::size_t begin, std::size_t end) {
+            std::replace(parts.part_of.begin() + begin, parts.part_of.begin() + end, from, to);
+        });
         boxed[to] = std::move(best->second.both);
         std::set<Pair> left;
         for (auto [a, b] : borders) {

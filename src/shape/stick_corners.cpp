@@ -20,6 +20,7 @@
 #include <numbers>
 #include <optional>
 #include <set>
+#include <span>
 
 #include "base/quantile.h"
 #include "shape/claims.h"
@@ -38,11 +39,11 @@ constexpr double least_wall = 0.04;  // of the area
 
 /// One stick: its triangles and the direction that none of its walls faces.
 struct Stick {
-    std::vector<std::int32_t> triangles;
+    std::span<const std::int32_t> triangles;
     double area = 0;
     Vec3 axis = Vec3::Zero(), middle = Vec3::Zero();
 
-    Stick(const Surface& s, std::vector<std::int32_t> members, const Core& core) : triangles(std::move(members)) {
+    Stick(const Surface& s, std::span<const std::int32_t> members, const Core& core) : triangles(members) {
         Eigen::Matrix3d facing = Eigen::Matrix3d::Zero();
         for (const std::int32_t i : core.triangles)
             facing += s.geometry.areas[i] * s.geometry.normals[i] * s.geometry.normals[i].transpose();
@@ -144,24 +145,19 @@ std::optional<Ground> ground_of_post(const Surface& s, const Stick& one, const S
 
 /// The parts that are asked about, and which of them meet.
 struct Meetings {
-    std::vector<std::vector<std::int32_t>> members;           ///< triangles, by part
-    std::set<std::pair<std::int32_t, std::int32_t>> borders;  ///< the lower number first
+    Groups members;                                           ///< triangles of all parts
+    std::set<std::pair<std::int32_t, std::int32_t>> borders;  ///< of parts that are asked about, the lower number first
 
     /// Looks at nothing where there are fewer than `least` such parts.
     template <class IsAsked>
-    Meetings(const Surface& s, const Parts& parts, std::size_t least, const IsAsked& is_asked)
-        : members(parts.parts.size()) {
-        std::vector<char> asked(parts.parts.size());
-        for (std::size_t k = 0; k < asked.size(); ++k)
-            asked[k] = !parts.parts[k].triangles.empty() && is_asked(parts.parts[k]);
-        if (static_cast<std::size_t>(std::ranges::count(asked, 1)) < least) return;
-        for (std::size_t i = 0; i < s.count(); ++i) {
-            const std::int32_t own = parts.part_of[i];
-            if (own < 0 || !asked[own]) continue;
-            members[own].push_back(static_cast<std::int32_t>(i));
-            for (const std::int32_t j : s.adjacency.neighbours[i])
-                if (j >= 0 && parts.part_of[j] > own && asked[parts.part_of[j]]) borders.emplace(own, parts.part_of[j]);
-        }
+    Meetings(const Surface& s, const Parts& parts, std::ptrdiff_t least, const IsAsked& is_asked) {
+        const auto counts = [&](const Core& part) { return !part.triangles.empty() && is_asked(part); };
+        if (std::ranges::count_if(parts.parts, counts) < least) return;
+        borders = meeting_groups(s.adjacency, parts.part_of, s.threads);
+        std::erase_if(borders, [&](const auto& pair) {
+            return !counts(parts.parts[pair.first]) || !counts(parts.parts[pair.second]);
+        });
+        if (!borders.empty()) members = group_members(parts.part_of, parts.parts.size(), s.threads);
     }
 };
 
