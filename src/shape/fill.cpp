@@ -10,10 +10,12 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "base/ranges.h"
@@ -46,6 +48,47 @@ struct Step {
         if (cost != other.cost) return cost > other.cost;
         return place != other.place ? place > other.place : part > other.part;
     }
+};
+
+/// Steps by cost, none less than the last one taken (a radix heap; Ahuja, Mehlhorn, Orlin and Tarjan 1990): each lies
+/// in the bucket of the highest bit in which its cost differs from that one's. A common heap took most of the time.
+class Steps {
+public:
+    void push(const Step& step) {
+        const auto bucket = static_cast<std::size_t>(std::bit_width(bits(step) ^ last_));
+        buckets_[bucket].push_back(step);
+        if (bucket == 0)
+            std::push_heap(buckets_[0].begin(), buckets_[0].end(), std::greater<>());
+        else
+            used_ |= std::uint64_t{1} << bucket;
+    }
+
+    std::optional<Step> pop() {
+        std::vector<Step>& cheapest = buckets_[0];  // all of one cost
+        if (cheapest.empty()) {
+            if (used_ == 0) {
+                last_ = 0;
+                return std::nullopt;
+            }
+            std::vector<Step>& next = buckets_[static_cast<std::size_t>(std::countr_zero(used_))];
+            used_ &= used_ - 1;
+            last_ = bits(std::ranges::min(next, {}, &Step::cost));
+            for (const Step& step : next) push(step);
+            next.clear();
+        }
+        std::pop_heap(cheapest.begin(), cheapest.end(), std::greater<>());
+        const Step step = cheapest.back();
+        cheapest.pop_back();
+        return step;
+    }
+
+private:
+    /// Of numbers that are not negative, bits are in the order of values.
+    static std::uint64_t bits(const Step& step) { return std::bit_cast<std::uint64_t>(step.cost); }
+
+    std::array<std::vector<Step>, 64> buckets_;
+    std::uint64_t used_ = 0;  ///< buckets that hold something, but the first
+    std::uint64_t last_ = 0;
 };
 
 double turn_between(const Surface& s, std::int32_t i, std::int32_t j) {
@@ -93,16 +136,13 @@ public:
             for (std::size_t e = 0; e < 3; ++e)
                 if (const std::int32_t next = places_[k].next[e]; next < Place::nothing)
                     reach(Place::part_number(next), s_.adjacency.neighbours[triangles_[k]][e], k, e, k, 0);
-        while (!queue_.empty()) {
-            std::pop_heap(queue_.begin(), queue_.end(), std::greater<>());
-            const Step step = queue_.back();
-            queue_.pop_back();
-            Place& place = places_[step.place];
+        while (const std::optional<Step> step = steps_.pop()) {
+            Place& place = places_[step->place];
             if (std::exchange(place.best, -1.0F) < 0) continue;
-            parts_.part_of[triangles_[step.place]] = step.part;
+            parts_.part_of[triangles_[step->place]] = step->part;
             for (std::size_t e = 0; e < 3; ++e)
                 if (const std::int32_t next = place.next[e]; next >= 0)
-                    reach(step.part, triangles_[step.place], step.place, e, next, step.cost);
+                    reach(step->part, triangles_[step->place], step->place, e, next, step->cost);
         }
     }
 
@@ -118,8 +158,7 @@ private:
         float& best = places_[to].best;
         if (!(total <= static_cast<double>(best))) return;
         best = std::nextafter(static_cast<float>(total), std::numeric_limits<float>::infinity());
-        queue_.push_back({total, to, number});
-        std::push_heap(queue_.begin(), queue_.end(), std::greater<>());
+        steps_.push({total, to, number});
     }
 
     [[nodiscard]] bool lies_outside(const Core& board, std::int32_t from, std::int32_t j) const {
@@ -131,7 +170,7 @@ private:
     std::span<const std::int32_t> triangles_;  ///< by place
     Place* places_;
     Parts& parts_;
-    std::vector<Step> queue_;  ///< a heap
+    Steps steps_;
 };
 
 }  // namespace
