@@ -86,7 +86,13 @@ void connect(const Surface& s, const TriangleMesh& mesh, const Adjacency& adjace
         if (is_whole && owners.size() == lowest.size()) break;
         const Groups pieces = group_members(piece_of, lowest.size(), s.threads);
         std::vector<double> area(pieces.size(), 0.0);
-        for (std::size_t i = 0; i < part_of.size(); ++i) area[piece_of[i]] += geometry.areas[i];
+        for_each_range(
+            pieces.size(), s.threads,
+            [&](std::size_t begin, std::size_t end) {
+                for (std::size_t k = begin; k < end; ++k)
+                    for (const std::int32_t i : pieces[k]) area[k] += geometry.areas[i];
+            },
+            16);
         Facing facing = is_whole ? Facing{Sets(pieces.size()), std::vector<char>(pieces.size(), 0)}
                                  : look_across(s, adjacency, part_of, piece_of, pieces.size());
         const auto set_of = [&](std::size_t piece) { return facing.sheets.find(static_cast<std::int32_t>(piece)); };

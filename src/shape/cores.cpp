@@ -124,6 +124,7 @@ std::vector<Core> divide(const Surface& s, std::vector<Core> components, double 
                core.area < least_cubes * core.thickness * core.thickness;
     };
     std::vector<std::optional<PlainPiece>> plain(components.size());
+    std::vector<std::vector<std::int32_t>> seeds(components.size());  // of what is not plain
     for_each_range(
         components.size(), s.threads,
         [&](std::size_t begin, std::size_t end) {
@@ -136,6 +137,7 @@ std::vector<Core> divide(const Surface& s, std::vector<Core> components, double 
                 }
                 drop_odd_thickness(s, component, slanted);
                 if (!slanted) plain[k] = as_plain_piece(s, component.triangles, component.thickness, component.area);
+                if (!plain[k]) seeds[k] = choose_seeds(s, component, total_area);
             }
         },
         1);
@@ -150,8 +152,7 @@ std::vector<Core> divide(const Surface& s, std::vector<Core> components, double 
             cores.push_back(std::move(component));
             continue;
         }
-        std::vector<std::int32_t> seeds = choose_seeds(s, component, total_area);
-        sampled.push_back({std::move(component), std::move(seeds), {}});
+        sampled.push_back({std::move(component), std::move(seeds[k]), {}});
     }
     look_around(s, sampled, slanted);
     Division division(s, sampled);

@@ -135,19 +135,14 @@ Boxed put_in_one_box(const Surface& s, const Boxed& a, const Boxed& b) {
 }
 
 double reach_of_noise(const std::vector<Boxed>& parts) {
-    std::vector<std::pair<double, double>> all;
-    double total = 0, sum = 0;
+    std::vector<Weighted> all;
     for (const Boxed& part : parts) {
-        if (part.some.empty()) continue;
         double own = 0;
         for (const auto& [distance, area] : part.distances) own += area;
+        if (!(own > 0)) continue;
         for (const auto& [distance, area] : part.distances) all.emplace_back(distance, area * part.area / own);
-        total += part.area;
     }
-    std::ranges::sort(all);
-    for (const auto& [distance, area] : all)
-        if ((sum += area) >= total / 2) return deviations * distance / half_within;
-    return 0;
+    return all.empty() ? 0 : deviations * quantile(all, 0.5) / half_within;
 }
 
 }  // namespace partonomy
