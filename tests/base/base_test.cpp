@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <random>
+
 #include "base/errors.h"
 #include "base/files.h"
+#include "base/quantile.h"
 #include "base/spelling.h"
 
 namespace partonomy {
@@ -22,7 +25,8 @@ TEST(Files, RoundTripAndReplace) {
     write_file(folder / "f", "old and longer");
     write_file(folder / "f", bytes);
     EXPECT_EQ(read_file(folder / "f"), bytes);
-    EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 1) << "a temporary file was left";
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 1)
+        << "a temporary file was left";
     EXPECT_THROW(static_cast<void>(read_file(folder)), FileError);
     EXPECT_THROW(static_cast<void>(read_file(folder / "none")), FileError);
     EXPECT_THROW(write_file(folder / "none" / "f", "x"), FileError);
@@ -33,6 +37,28 @@ TEST(Files, RoundTripAndReplace) {
 TEST(Files, Sha256) {
     EXPECT_EQ(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
     EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+}
+
+/// Beside a sorted list that is gone through; weights are whole, so that sums are exact.
+TEST(Quantile, AsInASortedList) {
+    std::mt19937 random(7);
+    const auto up_to = [&](int most) { return std::uniform_int_distribution(0, most)(random); };
+    for (int round = 0; round < 2000; ++round) {
+        std::vector<Weighted> values(static_cast<std::size_t>(1 + up_to(40)));
+        for (auto& [value, weight] : values) value = up_to(15), weight = up_to(3);
+        std::vector<Weighted> sorted = values;
+        std::ranges::sort(sorted);
+        double total = 0, sum = 0;
+        for (const auto& [value, weight] : sorted) total += weight;
+        const double share = up_to(8) / 8.0;
+        double expected = sorted.back().first;
+        for (const auto& [value, weight] : sorted)
+            if ((sum += weight) >= share * total) {
+                expected = value;
+                break;
+            }
+        EXPECT_EQ(quantile(values, share), expected) << "round " << round;
+    }
 }
 
 TEST(Spelling, Distance) {
