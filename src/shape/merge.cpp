@@ -17,11 +17,14 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
+#include <functional>
 #include <map>
 #include <numbers>
 
 #include "base/ranges.h"
 #include "shape/claims.h"
+#include "shape/sets.h"
 
 namespace partonomy {
 
@@ -48,8 +51,14 @@ private:
 /// Where each part is and which way it runs.
 struct Lie {
     Vec3 middle = Vec3::Zero(), axis = Vec3::Zero();
-    double length = 0;
-    Vec3 inside = Vec3::Zero();  ///< mean of the points halfway between its walls
+    double length = 0, breadth = 0;  ///< along the axis, and most across it
+    Vec3 inside = Vec3::Zero();      ///< mean of the points halfway between its walls
+
+    /// Whether it runs around, as a ring does, so that the axis is none of a stick.
+    [[nodiscard]] bool runs_around(double thickness) const {
+        constexpr double broad = 0.5, broader_than_thick = 2;
+        return breadth > broad * length && breadth > broader_than_thick * thickness;
+    }
 };
 
 /// What the lie of a part follows from.
@@ -73,6 +82,7 @@ struct LieSums {
         result.middle = sum / area;
         result.axis = eigen.eigenvectors().col(2);
         result.length = std::sqrt(12 * std::max(0.0, eigen.eigenvalues()[2]));  // of a straight line
+        result.breadth = std::sqrt(12 * std::max(0.0, eigen.eigenvalues()[1]));
         result.inside = walls > 0 ? Vec3(inside / walls) : result.middle;
         return result;
     }
@@ -214,6 +224,66 @@ bool is_shouldered(const Surface& s, const Parts& parts, const Border& common, s
     };
     const double beyond = mean_radius(a_is_thin ? a : b, 1), before = mean_radius(a_is_thin ? b : a, -1);
     return beyond > 0 && before > twice * beyond;
+}
+
+bool is_in_line(const Vec3& axis, const Vec3& other) { return std::abs(axis.dot(other)) > 0.8; }
+
+/// Which way a part runs near a place on it: its walls there face across that.
+Vec3 direction_near(const Surface& s, const Parts& parts, std::int32_t part, const Vec3& place) {
+    constexpr double near = 2;  // thicknesses
+    const double reach = near * parts.parts[part].thickness;
+    const auto of_blocks = map_blocks(s.count(), s.threads, [&](std::size_t begin, std::size_t end) {
+        Eigen::Matrix3d some = Eigen::Matrix3d::Zero();
+        for (std::size_t i = begin; i < end; ++i)
+            if (parts.part_of[i] == part && (s.geometry.barycentres[i] - place).squaredNorm() < reach * reach)
+                some += s.geometry.areas[i] * s.geometry.normals[i] * s.geometry.normals[i].transpose();
+        return some;
+    });
+    Eigen::Matrix3d facing = Eigen::Matrix3d::Zero();
+    for (const Eigen::Matrix3d& some : of_blocks) facing += some;
+    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(facing).eigenvectors().col(0);
+}
+
+/// The rings that the common border of two parts consists of, the longest first: halves of a ring meet at two places.
+std::vector<Border> rings(const Surface& s, const Parts& parts, std::int32_t a, std::int32_t b) {
+    using Edge = std::array<std::int32_t, 2>;
+    const auto of_blocks = map_blocks(s.count(), s.threads, [&](std::size_t begin, std::size_t end) {
+        std::vector<Edge> some;
+        for (std::size_t i = begin; i < end; ++i) {
+            if (parts.part_of[i] != a) continue;
+            const auto& corners = s.mesh.triangles[i];
+            for (int e = 0; e < 3; ++e)
+                if (const std::int32_t j = s.adjacency.neighbours[i][e]; j >= 0 && parts.part_of[j] == b)
+                    some.push_back({corners[e], corners[(e + 1) % 3]});
+        }
+        return some;
+    });
+    std::map<std::int32_t, std::int32_t> number;  // of vertices
+    for (const std::vector<Edge>& some : of_blocks)
+        for (const Edge& edge : some)
+            for (const std::int32_t v : edge) number.try_emplace(v, static_cast<std::int32_t>(number.size()));
+    Sets sets(number.size());
+    for (const std::vector<Edge>& some : of_blocks)
+        for (const Edge& edge : some) sets.join(number[edge[0]], number[edge[1]]);
+    std::map<std::int32_t, Border> of_set;
+    for (const std::vector<Edge>& some : of_blocks)
+        for (const Edge& edge : some)
+            of_set[sets.find(number[edge[0]])].add(s.mesh.positions[edge[0]], s.mesh.positions[edge[1]]);
+    std::vector<Border> all;
+    for (const auto& [set, ring] : of_set) all.push_back(ring);
+    std::ranges::stable_sort(all, std::greater<>(), &Border::length);
+    return all;
+}
+
+/// Whether two sticks, of which one runs around, run the same way wherever they meet: the longest way across a ring is
+/// the way of nothing.
+bool are_in_line_where_they_meet(const Surface& s, const Parts& parts, std::int32_t a, std::int32_t b) {
+    constexpr double least = 0.25;  // of the longest ring: less is a flaw of it
+    const std::vector<Border> all = rings(s, parts, a, b);
+    return std::ranges::all_of(all, [&](const Border& ring) {
+        return ring.length < least * all.front().length ||
+               is_in_line(direction_near(s, parts, a, ring.centre()), direction_near(s, parts, b, ring.centre()));
+    });
 }
 
 using Borders = PairMap<Border>;
@@ -382,15 +452,22 @@ void merge_parts(const Surface& s, Parts& parts) {
             // Sticks in line meet all around, not only where noise lets their cores touch; unless they are alike in
             // thickness, nothing but a whole ring will do.
             const bool meet = common.smooth > 0.5 * border[a] && common.smooth > (alike ? 2 : 3) * thin;
-            const auto is_in_line = [&] { return std::abs(lie_of(a).axis.dot(lie_of(b).axis)) > 0.8; };
             const bool are_sticks = parts.parts[a].kind == Solidity::stick && parts.parts[b].kind == Solidity::stick;
-            if (!(meet && (((alike || are_sticks) && is_in_line()) ||
+            const auto runs_around = [&](std::int32_t part) {
+                return !is_noisy && lie_of(part).runs_around(parts.parts[part].thickness);
+            };
+            const auto are_in_line = [&, a = a, b = b] {
+                return runs_around(a) || runs_around(b) ? are_in_line_where_they_meet(s, parts, a, b)
+                                                        : is_in_line(lie_of(a).axis, lie_of(b).axis);
+            };
+            if (!(meet && (((alike || are_sticks) && are_in_line()) ||
                            (alike && is_sawn(common, lie_of(a), lie_of(b), thin)))) &&
                 !(alike && is_same_place(lie_of(a), lie_of(b), thin)) &&
                 !(are_sticks &&
                   (is_noisy ? thick < (is_ring ? far_unlike : noise_of_thickness) * thin
                             : thick < exactly_alike * thin && common.smooth > mostly * common.length &&
-                                  is_section(common, lie_of(a), area[a]) && is_section(common, lie_of(b), area[b])) &&
+                                  is_section(common, lie_of(a), area[a]) && is_section(common, lie_of(b), area[b]) &&
+                                  !runs_around(a) && !runs_around(b)) &&
                   goes_on(common, lie_of(a), lie_of(b), thin, thick)))
                 continue;
             if (!is_noisy && are_sticks && is_crossed(parts, borders, a, b, common, lie_of(b).axis)) continue;
