@@ -206,6 +206,59 @@ void absorb_rims(const Surface& s, const std::vector<Board>& boards, Parts& part
     }
 }
 
+/// Which way some triangles of a stick run: none of them faces it.
+Vec3 way_of(const Surface& s, const std::vector<std::int32_t>& triangles) {
+    Eigen::Matrix3d facing = Eigen::Matrix3d::Zero();
+    for (const std::int32_t i : triangles)
+        facing += s.geometry.areas[i] * s.geometry.normals[i] * s.geometry.normals[i].transpose();
+    return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(facing).eigenvectors().col(0);
+}
+
+/// Cuts sticks where they turn off the rim of a board, as the bridge of spectacles does: what runs along the board
+/// becomes free, and the rest is a stick of its own. A post that goes straight on beyond the board stays whole.
+void cut_at_rims(const Surface& s, const std::vector<Board>& boards, Parts& parts) {
+    constexpr double least = 0.1, most_to_it = 0.5, most_straight_on = 0.55;
+    for (const auto& [b, fit] : boards) {
+        const Frame& plane = fit.frame;
+        const std::size_t existing = parts.parts.size();
+        for (std::size_t k = 0; k < existing; ++k) {
+            const Core &stick = parts.parts[k], &board = parts.parts[b];
+            if (stick.kind != Solidity::stick || stick.triangles.empty() || board.triangles.empty()) continue;
+            if (stick.area > board.area) continue;
+            const auto height = [&](std::int32_t i) {
+                return std::abs((s.geometry.barycentres[i] - plane.middle).dot(plane.normal));
+            };
+            const double reach = 0.75 * (board.thickness + stick.thickness);
+            const std::size_t step = 1 + board.triangles.size() / 600;
+            std::vector<std::int32_t> along, beyond;
+            double along_area = 0;
+            Vec3 to_board = Vec3::Zero();
+            for (const std::int32_t i : stick.triangles) {
+                Vec3 nearest = Vec3::Constant(s.size);
+                if (height(i) < plane.half + stick.thickness)
+                    for (std::size_t q = 0; q < board.triangles.size(); q += step) {
+                        const Vec3 way = s.geometry.barycentres[board.triangles[q]] - s.geometry.barycentres[i];
+                        if (way.squaredNorm() < nearest.squaredNorm()) nearest = way;
+                    }
+                if (nearest.norm() > reach) {
+                    beyond.push_back(i);
+                    continue;
+                }
+                along.push_back(i);
+                along_area += s.geometry.areas[i];
+                to_board += s.geometry.areas[i] * nearest;
+            }
+            if (along_area < least * stick.area || along_area > (1 - least) * stick.area) continue;
+            const Vec3 way = way_of(s, along);
+            if (std::abs(way.dot(to_board)) > most_to_it * to_board.norm()) continue;
+            if (std::abs(way.dot(way_of(s, beyond))) > most_straight_on) continue;
+            for (const std::int32_t i : along) parts.part_of[i] = -1;
+            parts.parts[k].triangles = std::move(beyond);
+            split_into_pieces(s, parts, static_cast<std::int32_t>(k));
+        }
+    }
+}
+
 /// Cuts sticks where a board crosses them: what lies between the board's walls becomes free, and the pieces above and
 /// below become sticks of their own.
 void cut_at_boards(const Surface& s, const std::vector<Board>& boards, Parts& parts) {
@@ -444,6 +497,7 @@ private:
 void claim(const Surface& s, const Vec3& up, Parts& parts) {
     const std::vector<Board> boards = boards_in_order(s, up, parts);
     absorb_rims(s, boards, parts);
+    cut_at_rims(s, boards, parts);
     cut_at_boards(s, boards, parts);
     SlabClaim slab(s, parts);
     for (const auto& [number, fit] : boards) slab.grow(number, fit);
