@@ -19,6 +19,7 @@
 #include <numbers>
 
 #include "algorithms/appearance.h"
+#include "algorithms/mirrored_cut.h"
 #include "algorithms/slope.h"
 #include "base/errors.h"
 #include "shape/hull_area.h"
@@ -118,6 +119,7 @@ void cut(Object& object, int threads) {
     object.candidates =
         find_parts(object.mesh, {object.placement.up, threads, object.tree, object.is_scene}, &object.times);
     object.is_noisy = std::ranges::any_of(object.candidates, &PartRegion::is_noisy);
+    if (!object.is_scene) cut_both_sides_alike(object, threads);
     if (object.appearance) split_by_color(object);
 }
 

@@ -67,6 +67,8 @@ public:
         for (Cluster& cluster : clusters_)
             if (cluster.is_alive) describe(cluster);
         merge_all();
+        for (Cluster& cluster : clusters_)
+            if (cluster.is_alive && cluster.version > 0) describe_again(cluster);
         std::vector<Patch> patches;
         for (Cluster& cluster : clusters_) {
             if (!cluster.is_alive) continue;
@@ -202,6 +204,14 @@ private:
         cluster.primitive = fit(cluster.set, cluster.area);
     }
 
+    /// What leaves were merged to is judged once more by points that no merging has thinned out.
+    void describe_again(Cluster& cluster) const {
+        const Primitive before = cluster.primitive;
+        cluster.set = {};
+        describe(cluster);
+        if (cluster.primitive.kind == SurfaceKind::freeform) cluster.primitive = before;
+    }
+
     [[nodiscard]] Primitive fit(const PointSet& set, double area) const {
         return set.points.size() < 3 ? Primitive{} : fit_primitive(set, std::sqrt(area), surface_.noise);
     }
@@ -224,20 +234,37 @@ private:
         return set;
     }
 
+    /// Two neighbours and what it costs to merge them, or cost before one of them grew.
     struct Pair {
         double cost;
         int a, b, version_a, version_b;
+        bool is_estimate;
         Primitive primitive;
         bool operator>(const Pair& other) const {
             return std::tie(cost, a, b) > std::tie(other.cost, other.a, other.b);
         }
     };
 
+    /// What is known of two neighbours: the last cost, infinite when nothing fitted both, and their area then.
+    struct Trial {
+        double cost = 0, area = 0;
+    };
+
+    /// Merges what costs least first. A pair costs more when one of the two has grown, so that it is fitted again only
+    /// when its old cost comes first; what nothing fitted is tried again when it is a good deal larger.
     void merge_all() {
+        constexpr double much_larger = 1.5;
+        constexpr double never = std::numeric_limits<double>::infinity();
         std::priority_queue<Pair, std::vector<Pair>, std::greater<>> queue;
+        std::map<std::pair<int, int>, Trial> trials;
+        const auto area_of = [&](int a, int b) { return clusters_[at(a)].area + clusters_[at(b)].area; };
+        const auto push = [&](double cost, int a, int b, bool is_estimate, const Primitive& primitive) {
+            queue.push({cost, a, b, clusters_[at(a)].version, clusters_[at(b)].version, is_estimate, primitive});
+        };
         const auto consider = [&](int a, int b) {
             if (a > b) std::swap(a, b);
             const Cluster &x = clusters_[at(a)], &y = clusters_[at(b)];
+            Trial& trial = trials[{a, b}] = {never, x.area + y.area};
             if (is_crease(x.borders.at(b))) return;
             const PointSet set = together(x, y);
             const Primitive primitive = fit(set, x.area + y.area);
@@ -245,22 +272,45 @@ private:
             // A small piece must not hide behind a large one that fits.
             const double most = 2 * tolerance(primitive, std::sqrt(x.area + y.area), surface_.noise);
             if (residual_of(x.set, primitive) > most || residual_of(y.set, primitive) > most) return;
-            const double cost = primitive.residual * primitive.residual * (x.area + y.area);
-            queue.push({cost, a, b, x.version, y.version, primitive});
+            trial.cost = primitive.residual * primitive.residual * (x.area + y.area);
+            push(trial.cost, a, b, false, primitive);
+        };
+        const auto known = [&](int a, int b) {
+            const auto found = trials.find(std::minmax(a, b));
+            return found != trials.end() ? found->second : Trial{never, 0};
         };
         for (std::size_t c = 0; c < clusters_.size(); ++c)
             for (const auto& [other, border] : clusters_[c].borders)
                 if (at(other) > c) consider(static_cast<int>(c), other);
-        while (!queue.empty()) {
+        const auto try_again = [&] {  // what nothing fitted, and has grown since
+            for (std::size_t c = 0; c < clusters_.size(); ++c)
+                for (const auto& [other, border] : clusters_[c].borders)
+                    if (at(other) > c && known(static_cast<int>(c), other).area < area_of(static_cast<int>(c), other))
+                        consider(static_cast<int>(c), other);
+            return !queue.empty();
+        };
+        while (!queue.empty() || try_again()) {
             const Pair pair = queue.top();
             queue.pop();
             Cluster &a = clusters_[at(pair.a)], &b = clusters_[at(pair.b)];
             if (!a.is_alive || !b.is_alive || a.version != pair.version_a || b.version != pair.version_b) continue;
+            if (pair.is_estimate) {
+                consider(pair.a, pair.b);
+                continue;
+            }
             PointSet set = together(a, b);
             join(pair.a, pair.b);
             a.set = std::move(set);
             a.primitive = pair.primitive;
-            for (const auto& [other, border] : a.borders) consider(pair.a, other);
+            for (const auto& [other, border] : a.borders) {
+                const Trial own = known(pair.a, other), others = known(pair.b, other);
+                const Trial last{std::min(own.cost, others.cost), std::max(own.area, others.area)};
+                trials[std::minmax(pair.a, other)] = last;
+                if (last.cost < never)
+                    push(last.cost / 2, std::min(pair.a, other), std::max(pair.a, other), true, {});
+                else if (area_of(pair.a, other) > much_larger * last.area)
+                    consider(pair.a, other);
+            }
         }
     }
 

@@ -157,19 +157,27 @@ std::optional<Primitive> fit_torus(const PointSet& set, const Frame& frame) {
                      frame.size * circle->radius};
 }
 
+/// Angle between two lines along unit vectors, within 0.3 %: by the series of the arc over its chord.
+double angle_of_lines(const Vec3& a, const Vec3& b) {
+    const double squared = 2 - 2 * std::min(1.0, std::abs(a.dot(b)));  // of the chord
+    return std::sqrt(squared) * (1 + squared * (1.0 / 24 + squared * (3.0 / 640 + squared * (5.0 / 7168))));
+}
+
 /// Fills in the residual; false when the normals are others.
 bool judge(const PointSet& set, Primitive& primitive) {
+    const double limit = most_turned * static_cast<double>(set.points.size());
     double turned = 0;
+    for (std::size_t i = 0; i < set.points.size() && turned <= limit; ++i)
+        turned += angle_of_lines(primitive.normal(set.points[i]), set.normals[i]);
+    if (!(turned <= limit)) return false;
     std::vector<double> squares;
-    for (std::size_t i = 0; i < set.points.size(); ++i) {
-        const double d = primitive.distance(set.points[i]);
+    squares.reserve(set.points.size());
+    for (const Vec3& p : set.points) {
+        const double d = primitive.distance(p);
         squares.push_back(d * d);
-        const double cosine = std::abs(primitive.normal(set.points[i]).dot(set.normals[i]));
-        turned += std::acos(std::min(1.0, cosine));
     }
-    if (!(turned <= most_turned * static_cast<double>(set.points.size()))) return false;
     const auto kept = static_cast<std::size_t>(std::ceil(kept_share * static_cast<double>(squares.size())));
-    std::ranges::sort(squares);
+    if (kept < squares.size()) std::ranges::nth_element(squares, squares.begin() + static_cast<std::ptrdiff_t>(kept));
     double sum = 0;
     for (std::size_t i = 0; i < kept; ++i) sum += squares[i];
     primitive.residual = std::sqrt(sum / static_cast<double>(kept));
@@ -182,6 +190,17 @@ double measure_of(const Primitive& primitive, double size) {
     const bool is_round = primitive.kind == SurfaceKind::cylinder || primitive.kind == SurfaceKind::sphere ||
                           primitive.kind == SurfaceKind::torus;
     return is_round ? std::min(size, fitting_of_radius / fitting * round) : size;
+}
+
+void add_fit(const PointSet& set, std::optional<Primitive> primitive, std::vector<Primitive>& fits) {
+    if (primitive && judge(set, *primitive)) fits.push_back(*primitive);
+}
+
+void add_round_fits(const PointSet& set, const Frame& frame, std::vector<Primitive>& fits) {
+    add_fit(set, fit_cylinder(set, frame), fits);
+    add_fit(set, fit_sphere(set, frame), fits);
+    add_fit(set, fit_cone(set, frame), fits);
+    add_fit(set, fit_torus(set, frame), fits);
 }
 
 }  // namespace
@@ -232,29 +251,27 @@ std::vector<Primitive> fit_primitives(const PointSet& set) {
     std::vector<Primitive> fits;
     const Frame frame = frame_of(set.points);
     if (!(frame.size > 0)) return fits;
-    const auto add = [&](std::optional<Primitive> primitive) {
-        if (primitive && judge(set, *primitive)) fits.push_back(*primitive);
-    };
-    add(fit_plane(set, frame));
-    add(fit_cylinder(set, frame));
-    add(fit_sphere(set, frame));
-    add(fit_cone(set, frame));
-    add(fit_torus(set, frame));
+    add_fit(set, fit_plane(set, frame), fits);
+    add_round_fits(set, frame, fits);
     return fits;
 }
 
 Primitive fit_primitive(const PointSet& set, double size, double noise) {
-    const std::vector<Primitive> fits = fit_primitives(set);
+    std::vector<Primitive> fits;
+    const Frame frame = frame_of(set.points);
     Primitive nothing;
+    if (!(frame.size > 0)) return nothing;
+    const auto is_good = [&](const Primitive& fit, double best) {
+        return fit.residual <= 1.5 * best + alike * measure_of(fit, size) + noise / 2 &&
+               fit.residual <= tolerance(fit, size, noise);
+    };
+    add_fit(set, fit_plane(set, frame), fits);
+    if (!fits.empty() && is_good(fits.front(), 0)) return fits.front();  // whatever else would fit
+    add_round_fits(set, frame, fits);
     if (fits.empty()) return nothing;
-    const Primitive& best = *std::ranges::min_element(fits, {}, &Primitive::residual);
-    nothing.residual = best.residual;
-    for (const Primitive& fit : fits) {
-        if (fit.residual <= 1.5 * best.residual + alike * measure_of(fit, size) + noise / 2 &&
-            fit.residual <= tolerance(fit, size, noise))
-            return fit;
-    }
-    return nothing;
+    nothing.residual = std::ranges::min_element(fits, {}, &Primitive::residual)->residual;
+    const auto first = std::ranges::find_if(fits, [&](const Primitive& fit) { return is_good(fit, nothing.residual); });
+    return first != fits.end() ? *first : nothing;
 }
 
 }  // namespace partonomy
