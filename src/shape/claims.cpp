@@ -8,6 +8,9 @@
 // exact planes, four thicknesses otherwise. Level boards come before upright ones and large before small, so a seat
 // keeps its corners.
 //
+// A stick that runs along the rim of a board for a while and then turns off it is cut there. (A core that holds a long
+// arc of a rim has no way that could be told, and stays as it is.)
+//
 // Boards that are exact planes give back what strayed into their core. Cost: O(n) and two rays per rim triangle.
 
 #include "shape/claims.h"

@@ -4,7 +4,8 @@
 // sticks are one when they are in line and pass into each other over most of their common border, without a concave
 // crease; when one of them is a stump without a direction and they lie to both sides of a ring, like two halves of a
 // stick that was sawn through; or when they lie in the same place, as do the two pairs of walls of a stick whose edges
-// noise has torn open. They stay two where the thick one ends with a shoulder, as the handle of a screwdriver does: a
+// noise has torn open. What runs around, as a rim does, is in line with nothing on the whole; it is asked where the two
+// meet. They stay two where the thick one ends with a shoulder, as the handle of a screwdriver does: a
 // taper changes little in a short way. Two boards are one when they lie in the same plane and pass into each other, as
 // a board does whose one wall is parted by what stands on it. Whatever their kind, two parts without a dent between
 // them are one when each lies behind the surface of the other: a drum, its lid and its wall, is a convex solid, and
