@@ -41,12 +41,10 @@ std::vector<LearnedAnswer> load_accepted_answers(const std::string& path) {
         if (!each.is_object()) wrong("is no {\"part\": …, \"feature\": …, \"value\": …}");
         LearnedAnswer answer;
         for (const auto& [key, value] : each.items()) {
-            static const std::vector<std::string> keys{"part", "feature", "value", "yes", "score", "accepted", "measured"};
-            if (std::ranges::find(keys, key) == keys.end()) {
-                const std::string nearest = *std::ranges::min_element(
-                    keys, {}, [&](const std::string& known) { return edit_distance(key, known); });
-                wrong(fmt::format("\"{}\" means nothing here; did you mean \"{}\"?", key, nearest));
-            }
+            static const std::vector<std::string> keys{"part",  "feature",  "value",   "yes",
+                                                       "score", "accepted", "measured"};
+            if (std::ranges::find(keys, key) == keys.end())
+                wrong(fmt::format("\"{}\" means nothing here{}", key, did_you_mean({key}, keys, Nearness::any)));
             if (key == "part") {
                 if (!value.is_number_integer() || value < 0 || value > 1'000'000'000)
                     wrong("\"part\" should be the number of a part");

@@ -52,23 +52,6 @@ knowledge::CompileOptions OntologyArguments::compile_options() const {
 
 namespace {
 
-/// The candidate that a word was most likely meant to be; empty when none is near.
-std::string nearest(const std::string& word, const std::vector<std::string>& candidates) {
-    std::string best;
-    std::size_t least = 1 + word.size() / 3;
-    for (const std::string& candidate : candidates)
-        if (const std::size_t distance = edit_distance(word, candidate); distance < least) {
-            least = distance;
-            best = candidate;
-        }
-    return best;
-}
-
-std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates) {
-    const std::string meant = nearest(word, candidates);
-    return meant.empty() ? "" : "; did you mean " + meant + "?";
-}
-
 /// What was mistyped: an unknown command, or an unknown option of a known one. Empty when neither.
 std::string slip(const CLI::App& app, const std::vector<std::string>& words) {
     std::vector<std::string> commands;
@@ -78,14 +61,14 @@ std::string slip(const CLI::App& app, const std::vector<std::string>& words) {
         if (!words.empty() && command->get_name() == words.front()) chosen = command;
     }
     if (words.empty() || words.front().starts_with('-')) return {};
-    if (chosen == nullptr) return "\"" + words.front() + "\" is no command" + did_you_mean(words.front(), commands);
+    if (chosen == nullptr) return "\"" + words.front() + "\" is no command" + did_you_mean({words.front()}, commands);
     std::vector<std::string> options;
     for (const CLI::Option* option : chosen->get_options())
         for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
     for (const std::string& word : words) {
         const std::string name = word.substr(0, word.find('='));
         if (name.starts_with("--") && name != "--" && std::ranges::find(options, name) == options.end())
-            return "\"" + name + "\" is no option of " + words.front() + did_you_mean(name, options);
+            return "\"" + name + "\" is no option of " + words.front() + did_you_mean({name}, options);
     }
     return {};
 }

@@ -5,12 +5,11 @@
 #include <span>
 
 #include "algorithms/color_names.h"
-#include "algorithms/measures.h"
+#include "algorithms/formula.h"
 
 namespace partonomy {
 
 struct Catalogue;
-struct Formula;
 
 /// What a region looks like, weighted by area.
 struct RegionColors {

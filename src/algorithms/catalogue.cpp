@@ -16,9 +16,8 @@
 #include <cmath>
 
 #include "algorithms/appearance.h"
-#include "algorithms/relations.h"
+#include "algorithms/relation_formula.h"
 #include "base/errors.h"
-#include "base/spelling.h"
 #include "knowledge/relations.h"
 #include "knowledge/theory.h"
 #include "owl/make_class.h"
@@ -65,48 +64,33 @@ owl::Source source_of(const Domain& domain, const owl::Iri& iri, const std::stri
     return source;
 }
 
-/// The measure of that name, or an error that tells the nearest.
-template <typename Measures>
-const auto& require(const Measures& measures, const Domain& domain, const owl::Iri& iri, const std::string& name) {
-    for (const auto& measure : measures)
-        if (name == measure.name) return measure;
-    const owl::Source source = source_of(domain, iri, name);
-    if (find_measure(name))
-        throw OntologyError(
-            at(source.file, source.line,
-               fmt::format("{}: \"{}\" is measured of one region, and a relation needs what is measured "
-                           "between regions; partonomy catalogue lists such measures",
-                           owl::local_name(iri), name)));
-    const auto* nearest = &measures[0];
-    for (const auto& measure : measures)
-        if (distance_in_words(name, measure.name) < distance_in_words(name, nearest->name)) nearest = &measure;
-    throw OntologyError(at(source.file, source.line,
-                           fmt::format("{}: there is no measure \"{}\"; did you mean \"{}\"?", owl::local_name(iri),
-                                       name, nearest->name)));
-}
-
-/// What an annotation of `iri` says of measures, or an error that tells where it says so.
-Formula require_formula(const Domain& domain, const owl::Iri& iri, const std::string& text) {
+/// What an annotation of `iri` says of measures, parsed; or an error that tells where it says so.
+template <typename Parse>
+auto require(const Parse& parse, const Domain& domain, const owl::Iri& iri, const std::string& text) {
     try {
-        return parse_formula(text);
+        return parse(text);
     } catch (const OntologyError& error) {
         const owl::Source source = source_of(domain, iri, text);
         throw OntologyError(at(source.file, source.line, fmt::format("{}: {}", owl::local_name(iri), error.what())));
     }
 }
 
+Formula require_formula(const Domain& domain, const owl::Iri& iri, const std::string& text) {
+    return require(parse_formula, domain, iri, text);
+}
+
 /// Relations measure as many regions as they link.
 void check_relations(const Domain& domain) {
     for (const knowledge::Relation& relation : domain.relations)
         for (const knowledge::Criterion& criterion : relation.criteria) {
-            const RelationMeasure& measure = require(all_relation_measures(), domain, relation.iri, criterion.measure);
-            if (measure.arity == relation.arity) continue;
+            const auto measure = require(parse_relation_formula, domain, relation.iri, criterion.measure);
+            if (measure->arity == relation.arity) continue;
             const owl::Source source = source_of(domain, relation.iri, criterion.measure);
             throw OntologyError(
                 at(source.file, source.line,
                    fmt::format("{} links {} regions (core:arity, 2 without it), but \"{}\" measures "
                                "{}; change one of them",
-                               owl::local_name(relation.iri), relation.arity, measure.name, measure.arity)));
+                               owl::local_name(relation.iri), relation.arity, measure->name, measure->arity)));
         }
 }
 

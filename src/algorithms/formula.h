@@ -8,13 +8,16 @@
 
 namespace partonomy {
 
+enum class FormulaOperation : char { measure, number, add, subtract, multiply, divide, negate };
+
 /// What core:measure says, parsed: the name of a measure, or sums, differences, products and ratios of measures and
 /// numbers with parentheses, such as "top height - bottom height" or "area / (length * length)".
-struct Formula {
-    enum class Operation : char { measure, number, add, subtract, multiply, divide, negate };
+template <typename M>
+struct FormulaOver {
+    using Operation = FormulaOperation;
     struct Step {
         Operation operation;
-        const Measure* measure = nullptr;
+        const M* measure = nullptr;
         double number = 0;
     };
     std::string text;
@@ -22,6 +25,9 @@ struct Formula {
     std::string unit;         ///< "1", "degrees", "m", "m2", "1/m", "degrees/m" …
     bool needs_metres = false;
 };
+
+/// Over measures of one region; those over measures between regions are in relation_formula.h.
+using Formula = FormulaOver<Measure>;
 
 /// Metres and degrees are not added to each other; a number takes the unit of what it is added to. Throws OntologyError
 /// with one sentence, without a place: a measure that does not exist (with the nearest right name), units that do not

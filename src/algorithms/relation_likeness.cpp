@@ -1,5 +1,5 @@
-/* How regions are like each other: directions, planes, lines, mirror images, shapes and sizes, from their smallest
- * boxes and the moments of their surfaces.
+/* How regions are like each other, and which is the larger: directions, planes, lines, mirror images, shapes and sizes,
+ * from their smallest boxes and the moments of their surfaces.
  *
  * Direction. Of a stick its axis, of anything else the normal of its largest side; of a block, where nearly equal sides
  * have none that is largest, each of them, and the best counts. A stick and a board are parallel when the axis lies in
@@ -9,6 +9,10 @@
  * Mirror images. There are two vertical planes through the middle of the object, along its sides (upright.cpp). The
  * middle and the second moments of the target's surface, mirrored, are compared with the reference's: an X's two bars
  * have the same box, but not the same moments. What differs in higher moments only is not told apart.
+ *
+ * Which is the larger. The target over the reference: longest side, shortest side, surface. The surface, not the
+ * volume: a sheet and a part that is open where it was cut have one, too, and a tabletop is larger than the block under
+ * it.
  *
  * Shape. Ratios of sides tell a stick from a cube; how widely the surface is spread along the two longer sides tells a
  * round stick from a square one, a disc from a square board, a ball from a cube. The area would tell more, but noise
@@ -165,6 +169,32 @@ std::optional<double> girth_difference(const Scene& scene, Regions r) {
     return change(girth(*r[0]), girth(*r[1]));
 }
 
+/// The target's over the reference's; what is next to nothing counts as so small.
+double share_of(double target, double reference, double least) {
+    least = std::max(least, std::numeric_limits<double>::min());
+    return std::max(target, least) / std::max(reference, least);
+}
+
+double least_length(const Scene& scene) { return 1e-6 * scene.diagonal; }
+
+std::optional<double> area_ratio(const Scene& scene, Regions r) {
+    return share_of(r[0]->area, r[1]->area, least_length(scene) * least_length(scene));
+}
+
+/// Of the side with that place among l0 >= l1 >= l2.
+RelationMeasure side_ratio(const char* name, const char* description, int side) {
+    const auto value = [side](const Scene& scene, Regions r) -> std::optional<double> {
+        return share_of(r[0]->part->box.lengths[side], r[1]->part->box.lengths[side], least_length(scene));
+    };
+    const auto range = [side](const Scene& scene, Surrounds s) -> Interval {
+        const auto ratio = [&](const Vec3& target, const Vec3& reference) {
+            return share_of(std::exp(target[side]), std::exp(reference[side]), least_length(scene));
+        };
+        return {ratio(s[0]->size_from, s[1]->size_to), ratio(s[0]->size_to, s[1]->size_from)};
+    };
+    return {name, 2, "1", description, value, range, true};
+}
+
 Interval size_range(const Scene&, Surrounds s) {
     return {apart(s[0]->size_from[0], s[0]->size_to[0], s[1]->size_from[0], s[1]->size_to[0]), infinity};
 }
@@ -198,6 +228,10 @@ void add_likeness_measures(std::vector<RelationMeasure>& measures) {
     add("girth difference", "1",
         "change of how widely the surface is spread, seen from above: of the radius of upright round walls; logarithm",
         girth_difference, nullptr);
+    measures.push_back(side_ratio("length ratio", "longest side of the target's smallest box over the reference's", 0));
+    measures.push_back(
+        side_ratio("thickness ratio", "shortest side of the target's smallest box over the reference's", 2));
+    add("area ratio", "1", "surface of the target over the reference's", area_ratio, nullptr);
 }
 
 }  // namespace partonomy

@@ -103,15 +103,67 @@ std::optional<Vec3> back_of(const Scene& scene) {
     return scene.front ? std::optional<Vec3>(-*scene.front) : std::nullopt;
 }
 
+Interval common(const Interval& a, const Interval& b) { return {std::max(a.low, b.low), std::min(a.high, b.high)}; }
+Interval along(const RegionPlace& place, int axis) { return {place.low[axis], place.high[axis]}; }
+
+/// Length of the common part over that of `whole`; of a whole without length, whether it is in there.
+double covered(const Interval& whole, const Interval& by) {
+    const double length = whole.high - whole.low;
+    const Interval part = common(whole, by);
+    return length > 0 ? std::clamp((part.high - part.low) / length, 0.0, 1.0) : (part.high >= part.low ? 1.0 : 0.0);
+}
+
+/// The way from one reference to the other along one axis: between their middles, and all of what they share.
+Interval corridor_along(const RegionPlace& a, const RegionPlace& b, int axis) {
+    const auto [low, high] = std::minmax(a.middle()[axis], b.middle()[axis]);
+    const Interval shared = common(along(a, axis), along(b, axis));
+    return shared.low > shared.high ? Interval{low, high}
+                                    : Interval{std::min(low, shared.low), std::max(high, shared.high)};
+}
+
+/// Seen from the point of the target's box where it comes nearest to the corridor between the references, of such
+/// points the one next to the middle of its surface: from the middle itself, swept wings would both be behind.
 std::optional<double> opening_angle(const Scene&, Regions regions) {
-    const Vec3& centre = regions[0]->centre;
+    Vec3 here = regions[0]->centre;
+    for (int axis = 0; axis < 3; ++axis) {
+        const RegionPlace &a = *regions[1], &b = *regions[2];
+        const double one = std::max(a.low[axis], b.low[axis]), other = std::min(a.high[axis], b.high[axis]);
+        const double in_corridor = std::clamp(here[axis], std::min(one, other), std::max(one, other));
+        here[axis] = std::clamp(in_corridor, regions[0]->low[axis], regions[0]->high[axis]);
+    }
     const auto way_to = [&](const RegionPlace& box) -> Vec3 {
-        return centre.cwiseMax(box.low).cwiseMin(box.high) - centre;
+        return here.cwiseMax(box.low).cwiseMin(box.high) - here;
     };
     const Vec3 to_first = way_to(*regions[1]), to_second = way_to(*regions[2]);
     const double lengths = to_first.norm() * to_second.norm();
     if (!(lengths > 0)) return 0;  // inside of one of them
     return std::acos(std::clamp(to_first.dot(to_second) / lengths, -1.0, 1.0)) * degrees;
+}
+
+/// Along each axis, how much of the target is in the corridor, or of the corridor in the target where that is longer: a
+/// hull is longer than the wings it is between. But along the line of their middles how much more of the target is
+/// between them than beyond, since what holds both is not.
+std::optional<double> corridor_share(const Scene&, Regions r) {
+    const RegionPlace &target = *r[0], &a = *r[1], &b = *r[2];
+    double least = 1;
+    for (int axis = 0; axis < 3; ++axis) {
+        const Interval corridor = corridor_along(a, b, axis), own = along(target, axis);
+        least = std::min(least, std::max(covered(own, corridor), covered(corridor, own)));
+    }
+    const Vec3 way = b.middle() - a.middle();
+    if (!(way.norm() > 0)) return 0;
+    const double middle = way.dot(target.middle()), reach = way.cwiseAbs().dot(target.high - target.low) / 2;
+    const double in_between = covered({middle - reach, middle + reach}, {way.dot(a.middle()), way.dot(b.middle())});
+    return std::min(least, std::max(0.0, 2 * in_between - 1));
+}
+
+/// Nothing of what is beyond both of them is in the corridor.
+Interval corridor_range(const Scene&, Surrounds s) {
+    for (int axis = 0; axis < 3; ++axis)
+        if (s[0]->low_from[axis] > std::max(s[1]->high_to[axis], s[2]->high_to[axis]) ||
+            s[0]->high_to[axis] < std::min(s[1]->low_from[axis], s[2]->low_from[axis]))
+            return {0, 0};
+    return {0, 1};
 }
 
 /// Where both references lie to one side of the target, neither way turns further from that side than its distance
@@ -207,8 +259,12 @@ void add_place_measures(std::vector<RelationMeasure>& measures) {
         margin, margin_range);
     add("row offset", 2, "diagonal", "how far the middles are off one line along a side of the object, or upright",
         row_offset, row_range);
-    add("opening angle", 3, "degrees", "in the middle of the target, between the ways to the two references",
+    add("opening angle", 3, "degrees",
+        "where the target comes nearest to the corridor between the references, between the ways to them",
         opening_angle, opening_range);
+    add("corridor share", 3, "1",
+        "how much of the target is in the corridor between the references, or of the corridor in the target",
+        corridor_share, corridor_range);
 }
 
 }  // namespace partonomy

@@ -16,7 +16,9 @@
 #include <limits>
 #include <vector>
 
+#include "algorithms/relation_formula.h"
 #include "algorithms/relation_measures.h"
+#include "base/errors.h"
 #include "shape/membership.h"
 
 namespace partonomy {
@@ -81,8 +83,13 @@ const RelationMeasure* find_relation_measure(const std::string& name) {
 }
 
 RelationTest::RelationTest(std::span<const knowledge::Criterion> criteria) {
-    for (const knowledge::Criterion& criterion : criteria)
-        parts_.push_back({&criterion, find_relation_measure(criterion.measure)});
+    for (const knowledge::Criterion& criterion : criteria) {
+        parts_.push_back({&criterion, nullptr});
+        try {
+            parts_.back().measure = parse_relation_formula(criterion.measure);
+        } catch (const OntologyError&) {  // the catalogue says so where the ontology is read
+        }
+    }
 }
 
 RelationTest::Prospect RelationTest::prospect(const Scene& scene, std::span<const Surround* const> surrounds) const {
@@ -124,13 +131,17 @@ std::optional<double> RelationTest::score(const Scene& scene, RelationMeasure::R
     return is_known ? std::optional(score) : std::nullopt;
 }
 
-std::optional<double> relation_score(std::span<const knowledge::Criterion> criteria, const Scene& scene,
-                                     RelationMeasure::Regions regions) {
+std::optional<double> RelationTest::score(const Scene& scene, RelationMeasure::Regions regions) const {
     std::array<Surround, 3> surrounds;
     const std::array<const Surround*, 3> each{&surrounds[0], &surrounds[1], &surrounds[2]};
     if (regions.size() > each.size()) return std::nullopt;
     for (std::size_t i = 0; i < regions.size(); ++i) surrounds[i] = surround_of(*regions[i]);
-    return RelationTest(criteria).score(scene, regions, std::span(each).first(regions.size()));
+    return score(scene, regions, std::span(each).first(regions.size()));
+}
+
+std::optional<double> relation_score(std::span<const knowledge::Criterion> criteria, const Scene& scene,
+                                     RelationMeasure::Regions regions) {
+    return RelationTest(criteria).score(scene, regions);
 }
 
 const knowledge::Criterion& touching() {

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "algorithms/upright.h"
 #include "knowledge/domain.h"
@@ -54,13 +56,14 @@ public:
     /// As relation_score(); `surrounds` are those of the regions.
     [[nodiscard]] std::optional<double> score(const Scene& scene, RelationMeasure::Regions regions,
                                               std::span<const Surround* const> surrounds) const;
+    [[nodiscard]] std::optional<double> score(const Scene& scene, RelationMeasure::Regions regions) const;
     /// Whether the boxes of regions tell nothing of the relation.
     [[nodiscard]] bool looks_at_sizes_only() const;
 
 private:
     struct Part {
         const knowledge::Criterion* criterion;
-        const RelationMeasure* measure;  ///< null: there is none of that name
+        std::shared_ptr<const RelationMeasure> measure;  ///< or a combination; null: there is none of that name
     };
     std::vector<Part> parts_;
 };

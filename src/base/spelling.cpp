@@ -1,6 +1,8 @@
 #include "base/spelling.h"
 
 #include <algorithm>
+#include <cctype>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -43,6 +45,39 @@ std::size_t distance_in_words(const std::string& word, const std::string& name) 
         if (name.find(' ', begin) == std::string::npos) least = std::min(least, 1 + distance(name.substr(begin)));
     }
     return least;
+}
+
+bool is_spelled_alike(const std::string& a, const std::string& b) {
+    const auto letters = [](const std::string& word) {
+        std::string found;
+        for (const char c : word)
+            if (c != ' ' && c != '-' && c != '_')
+                found += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+        return found;
+    };
+    return letters(a) == letters(b);
+}
+
+std::string did_you_mean(const std::vector<std::string>& words, std::span<const std::string> names, Nearness nearness) {
+    constexpr std::size_t most = 4, longest = 150;  // names that are told; letters that are looked at
+    std::vector<std::string> nearest;
+    std::size_t least = std::numeric_limits<std::size_t>::max();
+    for (const std::string& word : words) {
+        if (word.empty() || word.size() > longest) continue;
+        const std::size_t limit =
+            nearness == Nearness::any ? std::numeric_limits<std::size_t>::max() : 1 + word.size() / 3;
+        for (const std::string& name : names) {
+            const std::size_t distance = is_spelled_alike(word, name) ? 0 : distance_in_words(word, name);
+            if (distance > limit || distance > least) continue;
+            if (distance < least) nearest.clear();
+            least = distance;
+            if (std::ranges::find(nearest, name) == nearest.end()) nearest.push_back(name);
+        }
+    }
+    if (nearest.size() > most) nearest.resize(most);
+    std::string text;
+    for (const std::string& name : nearest) text += (text.empty() ? "\"" : " or \"") + name + "\"";
+    return text.empty() ? "" : "; did you mean " + text + "?";
 }
 
 }  // namespace partonomy

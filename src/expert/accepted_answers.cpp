@@ -20,14 +20,6 @@ using knowledge::Domain;
 using knowledge::Question;
 using knowledge::Variable;
 
-/// "; did you mean Orientation?", or nothing when no candidate is near.
-std::string did_you_mean(const std::string& word, const std::vector<std::string>& candidates) {
-    const auto nearest = std::ranges::min_element(
-        candidates, {}, [&](const std::string& candidate) { return distance_in_words(word, candidate); });
-    if (nearest == candidates.end() || distance_in_words(word, *nearest) > 1 + word.size() / 3) return "";
-    return "; did you mean " + *nearest + "?";
-}
-
 std::string short_name(const Variable& variable) { return owl::local_name(feature_name(variable)); }
 
 class Reader {
@@ -58,7 +50,7 @@ private:
             if (value == variable.values.end())
                 wrong(fmt::format("part {}: {} has no value \"{}\": there are {}{}", told.part, names.back(),
                                   told.value, fmt::join(variable.values, "; "),
-                                  did_you_mean(told.value, variable.values)));
+                                  did_you_mean({told.value}, variable.values)));
             return {static_cast<int>(v), static_cast<int>(value - variable.values.begin())};
         }
         const std::string name = owl::local_name(told.feature);
@@ -68,7 +60,7 @@ private:
                     fmt::format("part {}: {} is what follows from answers, and no question; say what makes it one: {}",
                                 told.part, name, fmt::join(names, ", ")));
         wrong(fmt::format("part {}: \"{}\" is no feature that this ontology asks for{}", told.part, told.feature,
-                          did_you_mean(name, names)));
+                          did_you_mean({name}, names)));
     }
 
     const Session& session_;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "algorithms/relation_formula.h"
 #include "shape/membership.h"
 
 namespace partonomy {
@@ -29,8 +30,8 @@ std::string relation_in_numbers(std::span<const knowledge::Criterion> criteria, 
                                 RelationMeasure::Regions regions) {
     std::string text;
     for (const knowledge::Criterion& criterion : criteria) {
-        const RelationMeasure* measure = find_relation_measure(criterion.measure);
-        const bool fits = measure != nullptr && measure->arity == regions.size();
+        const auto measure = parse_relation_formula(criterion.measure);
+        const bool fits = measure->arity == regions.size();
         const std::optional<double> value = fits ? measure->value(scene, regions) : std::nullopt;
         text += (text.empty() ? "" : ", ") + in_numbers(criterion, value, fits ? measure->unit : "");
     }

@@ -49,6 +49,7 @@ Session::Session(const knowledge::Domain& domain, const Catalogue& catalogue, co
         measured_.push_back(variable.kind == knowledge::VariableKind::number ||
                             (variable.kind == knowledge::VariableKind::range &&
                              is_free(domain.ranges[static_cast<std::size_t>(variable.index)])));
+    for (const knowledge::Relation& relation : domain.relations) relation_tests_.emplace_back(relation.criteria);
 }
 
 int Session::add_region(Candidate candidate) {

@@ -163,9 +163,10 @@ private:
     std::optional<std::vector<std::pair<int, int>>> connected_;
     std::vector<int> connectable_;  ///< regions of which is known which of them touch; ascending
     std::optional<Scene> scene_;
-    std::map<int, RegionPlace> places_;  ///< of regions that relations were asked of; they point to parts_
-    std::optional<RelatedIndex> index_;  ///< of all regions that were there when it was made
-    int indexed_ = 0;                    ///< how many
+    std::map<int, RegionPlace> places_;         ///< of regions that relations were asked of; they point to parts_
+    std::optional<RelatedIndex> index_;         ///< of all regions that were there when it was made
+    int indexed_ = 0;                           ///< how many
+    std::vector<RelationTest> relation_tests_;  ///< of domain_.relations
     std::map<knowledge::RelationTuple, std::optional<double>> related_;
     struct ToldRelation {
         std::size_t entry;  ///< place in the trace

@@ -96,7 +96,7 @@ std::optional<double> Session::relate(const knowledge::RelationTuple& tuple) {
         places.push_back(&place(region));
         if (places.size() > 1) references += (references.empty() ? "" : " and ") + region_name(region);
     }
-    known->second = relation_score(relation.criteria, scene(), places);
+    known->second = relation_tests_[tuple.relation].score(scene(), places);
     if (!known->second) return std::nullopt;
     const double score = *known->second;
     ++related_count;

@@ -178,11 +178,11 @@ void resolve_colors(const TextCursor& cursor, const PolygonSoup& soup, const Com
     for (const auto& [name, place] : colors.materials) {
         const auto found = materials.find(name);
         if (found == materials.end()) {
-            const auto nearest = std::ranges::min_element(
-                materials, {}, [&name = name](const auto& entry) { return edit_distance(name, entry.first); });
+            std::vector<std::string> names;
+            for (const auto& [other, each] : materials) names.push_back(other);
             cursor.fail_at(place, fmt::format("there is no material '{}' in the material libraries{}", name,
-                                              materials.empty() ? "; name them with mtllib"
-                                                                : fmt::format("; did you mean '{}'?", nearest->first)));
+                                              names.empty() ? "; name them with mtllib"
+                                                            : did_you_mean({name}, names, Nearness::any)));
         }
         LibraryMaterial& material = used.emplace_back(found->second);
         if (!material.image.empty()) {

@@ -102,6 +102,10 @@ TEST(Formula, ErrorsNameWhatIsWrong) {
     expect_error("gap", "\"gap\" is measured between 2 regions");
     expect_error("inclinatoin", "did you mean \"inclination\"?");
     expect_error("l0/l3", "did you mean \"l0/l1\" or \"l0/l2\"");
+    // A hyphen for a blank, alone and within a combination.
+    expect_error("length-share", "did you mean \"length share\"?");
+    expect_error("2 * length-share / extent", "did you mean \"length share\"?");
+    expect_error("Level_Height", "did you mean \"level height\"?");
     expect_error("top height - inclination", "it subtracts m and degrees");
     expect_error("area + length", "it adds m2 and m");
     expect_error("length + l0/l1", "it adds m and 1");

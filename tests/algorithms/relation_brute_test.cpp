@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <numeric>
 
 #include "algorithms/solids.h"
 #include "knowledge/theory.h"
@@ -309,10 +310,55 @@ Opinion opinion(const std::string& name, const World& world, const Tuple& tuple)
     }
     if (name == "opening angle") {
         const Sampled& second = world.regions[static_cast<std::size_t>(tuple[2])];
-        const Vec3 a = t.mean.cwiseMax(r.low).cwiseMin(r.high) - t.mean;
-        const Vec3 b = t.mean.cwiseMax(second.low).cwiseMin(second.high) - t.mean;
+        // The point of the target's box that is nearest to the box between the references' facing sides.
+        Vec3 from = t.mean;
+        for (int axis = 0; axis < 3; ++axis) {
+            std::array<double, 4> ends{r.low[axis], r.high[axis], second.low[axis], second.high[axis]};
+            std::ranges::sort(ends);  // apart or not, the corridor is between the two in the middle
+            from[axis] = std::min(std::max(from[axis], ends[1]), ends[2]);
+            from[axis] = std::min(std::max(from[axis], t.low[axis]), t.high[axis]);
+        }
+        const Vec3 a = from.cwiseMax(r.low).cwiseMin(r.high) - from;
+        const Vec3 b = from.cwiseMax(second.low).cwiseMin(second.high) - from;
         if (a.norm() == 0 || b.norm() == 0) return {0, exact};
         return {std::acos(std::clamp(a.normalized().dot(b.normalized()), -1.0, 1.0)) * degrees, 1e-3};
+    }
+    if (name == "corridor share") {  // points along each side, and over the whole box, are counted
+        const Sampled& second = world.regions[static_cast<std::size_t>(tuple[2])];
+        const Vec3 from = (r.low + r.high) / 2, to = (second.low + second.high) / 2;
+        constexpr int count = 400;
+        double least = 1;
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto is_in_corridor = [&](double x) {
+                const bool is_in_both =
+                    x >= r.low[axis] && x <= r.high[axis] && x >= second.low[axis] && x <= second.high[axis];
+                return is_in_both || (x - from[axis]) * (x - to[axis]) <= 0;
+            };
+            const double low = std::min({t.low[axis], r.low[axis], second.low[axis]});
+            const double high = std::max({t.high[axis], r.high[axis], second.high[axis]});
+            double own = 0, corridor = 0, both = 0;
+            for (int i = 0; i < 20 * count; ++i) {
+                const double x = low + (i + 0.5) * (high - low) / (20 * count);
+                const bool is_own = x >= t.low[axis] && x <= t.high[axis];
+                own += is_own;
+                corridor += is_in_corridor(x);
+                both += is_own && is_in_corridor(x);
+            }
+            least = std::min(least, both / std::max(1.0, std::min(own, corridor)));
+        }
+        const Vec3 way = to - from;
+        double first = 1e300, last = -1e300, in_between = 0;
+        for (int corner = 0; corner < 8; ++corner) {
+            const Vec3 at((corner & 1 ? t.low : t.high).x(), (corner & 2 ? t.low : t.high).y(),
+                          (corner & 4 ? t.low : t.high).z());
+            first = std::min(first, way.dot(at));
+            last = std::max(last, way.dot(at));
+        }
+        for (int i = 0; i < count; ++i) {
+            const double x = first + (i + 0.5) * (last - first) / count;
+            in_between += x >= way.dot(from) && x <= way.dot(to);
+        }
+        return {std::min(least, std::max(0.0, 2 * in_between / count - 1)), 0.03};
     }
     if (name == "angle") return {smallest_angle(t.block, r.block, false), 0.01};
     if (name == "off square") return {smallest_angle(t.block, r.block, true), 0.01};
@@ -361,6 +407,12 @@ Opinion opinion(const std::string& name, const World& world, const Tuple& tuple)
     if (name == "plan distance") return {plan_gap(t.corners, r.corners), 0.01};
     if (name == "middle distance") return {plan_gap({t.block.centre}, r.corners), t.is_box ? 0.01 : 0.02};
     if (name == "size difference") return {(lt.array() / lr.array()).log().abs().maxCoeff(), 1e-4};
+    if (name == "length ratio") return {lt[0] / lr[0], 1e-4};
+    if (name == "thickness ratio") return {lt[2] / lr[2], 1e-4};
+    if (name == "area ratio") {
+        const auto area = [](const Sampled& s) { return std::accumulate(s.weights.begin(), s.weights.end(), 0.0); };
+        return {area(t) / area(r), 1e-4 * area(t) / area(r)};
+    }
     if (name == "girth difference") {
         const auto girth = [](const Sampled& s) { return s.moments(0, 0) + s.moments(1, 1); };
         return {std::abs(std::log(girth(t) / girth(r))) / 2, 0.02};

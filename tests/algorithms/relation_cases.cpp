@@ -84,10 +84,27 @@ std::vector<Case> box_cases() {
         boxes("Behind", Truth::unknown, {cube(0.9, 0.7, 0), cube(0.9, 0.1, 0), plate()}),
         boxes("Between", Truth::yes, {cube(0.8, 0.4, 0.3), cube(0.2, 0.4, 0.3), cube(1.4, 0.4, 0.3), plate(), mast()}),
         boxes("Between", Truth::no, {cube(0.2, 0.4, 0.3), cube(0.8, 0.4, 0.3), cube(1.4, 0.4, 0.3), plate(), mast()}),
-        // The near corners of the references are seen at 60 degrees to either side.
+        // A long body between wings that are swept back from its nose on; both lie behind its middle.
+        boxes("Between", Truth::yes,
+              {block({0.9, 0.05, 0.3}, {1.1, 0.95, 0.5}), tilted(block({0.2, 0.6, 0.35}, {0.85, 0.7, 0.4}), -25, z),
+               tilted(block({1.15, 0.6, 0.35}, {1.8, 0.7, 0.4}), 25, z), plate(), mast()}),
+        // Beside the row, though next to it; over it, as a beam over its posts; around both.
+        boxes("Between", Truth::no,
+              {block({0.2, 0.25, 0.3}, {1.6, 0.38, 0.5}), cube(0.4, 0.4, 0.3), cube(1.2, 0.4, 0.3), plate(), mast()}),
+        boxes("Between", Truth::no,
+              {block({0.4, 0.4, 0.5}, {1.4, 0.6, 0.6}), cube(0.4, 0.4, 0.3), cube(1.2, 0.4, 0.3), plate(), mast()}),
+        boxes("Between", Truth::no,
+              {block({0.2, 0.2, 0.1}, {1.6, 0.8, 0.7}), cube(0.4, 0.4, 0.3), cube(1.2, 0.4, 0.3), plate(), mast()}),
+        // A slim post between large walls, and a large wall between slim posts.
+        boxes("Between", Truth::yes,
+              {block({0.9, 0.2, 0}, {0.95, 0.25, 0.6}), block({0.4, 0.1, 0}, {0.5, 0.9, 0.8}),
+               block({1.4, 0.1, 0}, {1.5, 0.9, 0.8}), plate(), mast()}),
+        boxes("Between", Truth::yes,
+              {block({0.9, 0.1, 0}, {1, 0.9, 0.8}), block({0.5, 0.2, 0}, {0.55, 0.25, 0.6}),
+               block({1.4, 0.2, 0}, {1.45, 0.25, 0.6}), plate(), mast()}),
+        // 0.35 of its width is in the way.
         boxes("Between", Truth::border,
-              {cube(0.9, 0.1, 0.3), block({0.5, 0.2 + 0.4 / std::sqrt(3.0), 0.3}, {0.6, 0.5, 0.5}),
-               block({1.4, 0.2 + 0.4 / std::sqrt(3.0), 0.3}, {1.5, 0.5, 0.5}), plate(), mast()}),
+              {cube(0.9, 0.4, 0.3), cube(0.5, 0.53, 0.3), cube(1.4, 0.53, 0.3), plate(), mast()}),
         boxes("Inside", Truth::yes, {cube(0.5, 0.4, 0.3), block({0.3, 0.2, 0}, {1, 0.8, 0.8}), plate(), mast()}),
         boxes("Inside", Truth::no, {block({0.3, 0.2, 0}, {1, 0.8, 0.8}), cube(0.5, 0.4, 0.3), plate(), mast()}),
         boxes("Inside", Truth::no, {cube(0.5, 0.4, 0.3), block({0.6, 0.2, 0}, {1, 0.8, 0.8}), plate(), mast()}),
@@ -154,6 +171,23 @@ std::vector<Case> box_cases() {
         boxes("SameSize", Truth::no, {stick(0.2, 0.4, 0.3), block({1, 0.2, 0.1}, {1.2, 0.4, 1.3}), plate(), mast()}),
         boxes("SameSize", Truth::border,
               {stick(0.2, 0.4, 0.3), stick(1, 0.4, 0.3, 0.6 * std::exp(0.2)), plate(), mast()}),
+        boxes("LongerThan", Truth::yes, {stick(0.2, 0.4, 0.3, 0.9), board(1.2, 0.2, 0.1), plate(), mast()}),
+        boxes("LongerThan", Truth::no, {board(1.2, 0.2, 0.1), stick(0.2, 0.4, 0.3, 0.9), plate(), mast()}),
+        boxes("LongerThan", Truth::no, {board(0.2, 0.2, 0.1), stick(1, 0.4, 0.3), plate(), mast()}),  // as long
+        boxes("LongerThan", Truth::border, {stick(0.2, 0.4, 0.3, 0.72), stick(1.1, 0.4, 0.3), plate(), mast()}),
+        boxes("ThickerThan", Truth::yes, {board(0.2, 0.2, 0.1, 0.2), stick(1, 0.4, 0.3), plate(), mast()}),
+        boxes("ThickerThan", Truth::no, {stick(1, 0.4, 0.3), board(0.2, 0.2, 0.1, 0.2), plate(), mast()}),
+        boxes("ThickerThan", Truth::no, {board(0.2, 0.2, 0.1), stick(1, 0.4, 0.3), plate(), mast()}),  // as thick
+        boxes("ThickerThan", Truth::border, {board(0.2, 0.2, 0.1, 0.12), stick(1, 0.4, 0.3), plate(), mast()}),
+        // A board has more surface than a block that fills more.
+        boxes("LargerThan", Truth::yes,
+              {board(0.2, 0.2, 0.1, 0.05), block({1, 0.2, 0.3}, {1.25, 0.45, 0.55}), plate(), mast()}),
+        boxes("LargerThan", Truth::no,
+              {block({1, 0.2, 0.3}, {1.25, 0.45, 0.55}), board(0.2, 0.2, 0.1, 0.05), plate(), mast()}),
+        boxes("LargerThan", Truth::no, {stick(0.2, 0.4, 0.3), stick(1, 0.4, 0.3), plate(), mast()}),
+        boxes("LargerThan", Truth::border,
+              {block({0.2, 0.2, 0.1}, {0.2 + 0.3 * std::sqrt(1.4), 0.2 + 0.3 * std::sqrt(1.4), 0.1 + 0.3 * std::sqrt(1.4)}),
+               block({1, 0.2, 0.3}, {1.3, 0.5, 0.6}), plate(), mast()}),
     };
     return all;
 }
@@ -254,9 +288,8 @@ std::vector<Case> round_cases() {
         shapes("Behind", Truth::border, {ball({0.5, 0.5, 0.1}), ball({0.9, 0.4, 0.1})}, 0.02, {plate(), back()}),
         shapes("Between", Truth::yes, {ball({0.9, 0.5, 0.3}), rod({0.4, 0.5, 0.3}), ring({1.5, 0.5, 0.3})}),
         shapes("Between", Truth::no, {ball({0.2, 0.5, 0.3}), ball({0.8, 0.5, 0.3}), ring({1.5, 0.5, 0.3})}),
-        shapes("Between", Truth::border,
-               {ball({1, 0.2, 0.3}), ball({0.5, 0.3 + 0.4 / std::sqrt(3.0), 0.3}),
-                ball({1.5, 0.3 + 0.4 / std::sqrt(3.0), 0.3})}),
+        shapes("Between", Truth::no, {rod({0.9, 0.38, 0.3}, 1), ball({0.5, 0.5, 0.3}, 0.06), ring({1.5, 0.5, 0.3})}),
+        shapes("Between", Truth::border, {ball({1, 0.37, 0.3}), ball({0.5, 0.5, 0.3}), ball({1.5, 0.5, 0.3})}, 0.1),
         shapes("Inside", Truth::yes, {ball({0.6, 0.5, 0.3}, 0.08), ring({0.6, 0.5, 0.3}, 0.25, 0.12)}),
         shapes("Inside", Truth::no, {ball({0.6, 0.5, 0.5}, 0.04), ring({0.6, 0.5, 0.3})}),
         // Of a rod's surface, 0.8 is its lower end and 0.415 of its 0.5.
@@ -303,6 +336,15 @@ std::vector<Case> round_cases() {
         shapes("SameSize", Truth::yes, {rod({0.5, 0.5, 0.3}), rod({1.3, 0.5, 0.4}, 0.6, 0, 40)}),
         shapes("SameSize", Truth::no, {ball({0.4, 0.5, 0.3}), ball({1.4, 0.5, 0.4}, 0.2)}),
         shapes("SameSize", Truth::border, {rod({0.5, 0.5, 0.3}), rod({1.3, 0.5, 0.4}, 0.6 * std::exp(0.2))}, 0.1),
+        shapes("LongerThan", Truth::yes, {rod({0.6, 0.5, 0.3}, 0.9, 0, 30), ring({1.4, 0.5, 0.3})}),
+        shapes("LongerThan", Truth::no, {ball({1.4, 0.5, 0.3}), rod({0.6, 0.5, 0.3}, 0.6, 50)}),
+        shapes("LongerThan", Truth::border, {rod({0.6, 0.5, 0.3}, 0.72), rod({1.4, 0.5, 0.3})}, 0.1),
+        shapes("ThickerThan", Truth::yes, {ball({0.4, 0.5, 0.3}), rod({1.2, 0.5, 0.3})}),
+        shapes("ThickerThan", Truth::no, {disc({1.2, 0.5, 0.3}), ball({0.4, 0.5, 0.3})}),
+        shapes("ThickerThan", Truth::border, {ball({0.4, 0.5, 0.3}, 0.12), ball({1.4, 0.5, 0.3})}, 0.1),
+        shapes("LargerThan", Truth::yes, {disc({0.4, 0.5, 0.3}), ball({1.4, 0.5, 0.3})}),
+        shapes("LargerThan", Truth::no, {rod({0.4, 0.5, 0.3}), ring({1.4, 0.5, 0.3})}),
+        shapes("LargerThan", Truth::border, {ball({0.4, 0.5, 0.3}, 0.1 * std::sqrt(1.4)), ball({1.4, 0.5, 0.3})}, 0.1),
         // A disc counts by its plane: what lies on it is parallel, what stands on it orthogonal.
         shapes("Orthogonal", Truth::no, {rod({0.6, 0.5, 0.38}), disc({0.6, 0.5, 0.04})}),
         shapes("Parallel", Truth::yes, {rod({0.6, 0.5, 0.38}), disc({0.6, 0.5, 0.04})}),

@@ -69,5 +69,19 @@ TEST(Spelling, Distance) {
     EXPECT_EQ(edit_distance("kitten", "sitting"), edit_distance("sitting", "kitten"));
 }
 
+TEST(Spelling, DidYouMean) {
+    const std::vector<std::string> names{"length share", "area share", "l0/l1", "l0/l2", "length"};
+    EXPECT_EQ(did_you_mean({"area shar"}, names), "; did you mean \"area share\"?");
+    EXPECT_EQ(did_you_mean({"share", "length-share"}, names), "; did you mean \"length share\"?");
+    EXPECT_EQ(did_you_mean({"AreaShare"}, names), "; did you mean \"area share\"?");
+    EXPECT_EQ(did_you_mean({"l0/l3"}, names), "; did you mean \"l0/l1\" or \"l0/l2\"?");
+    EXPECT_EQ(did_you_mean({"weight of it all"}, names), "");
+    EXPECT_NE(did_you_mean({"weight of it all"}, names, Nearness::any), "");
+    EXPECT_EQ(did_you_mean({""}, names), "");
+    EXPECT_EQ(did_you_mean({"x"}, {}), "");
+    EXPECT_TRUE(is_spelled_alike("length-share", "Length_share"));
+    EXPECT_FALSE(is_spelled_alike("length", "lengths"));
+}
+
 }  // namespace
 }  // namespace partonomy

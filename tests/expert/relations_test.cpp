@@ -210,7 +210,12 @@ TEST(Relations, BadKnobsAreRefusedWithFileAndLine) {
         {"core:arity 4, core:criterion \"gap -inf -inf 0.1 0.3\"",
          "o.omn:6: arity \"4\" of Odd should be 2 or 3: the number of regions that it links"},
         {"core:arity 3, core:criterion \"gap -inf -inf 0.1 0.3\"",
-         "o.omn:6: Odd links 3 regions (core:arity, 2 without it), but \"gap\" measures 2; change one of them"}};
+         "o.omn:6: Odd links 3 regions (core:arity, 2 without it), but \"gap\" measures 2; change one of them"},
+        {"core:criterion \"opening angle / gap 0.1 0.3 inf inf\"",
+         "o.omn:6: Odd: the measure \"opening angle / gap\" cannot be read: \"opening angle\" measures 3 regions, but "
+         "\"gap\" 2"},
+        {"core:criterion \"gap - length 0.1 0.3 inf inf\"",
+         "o.omn:6: Odd: \"length\" is measured of one region, and a relation needs what is measured between regions"}};
     for (const auto& [knobs, words] : faults) {
         SCOPED_TRACE(knobs);
         try {

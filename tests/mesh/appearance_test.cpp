@@ -280,7 +280,7 @@ TEST(Appearance, WhatIsMissingOrBrokenIsOneSentence) {
         {"mtllib ../x.mtl\nf 1 2 3\n", "outside the model's folder"},
         {"mtllib\nf 1 2 3\n", "name of a material library"},
         {"usemtl red\nf 1 2 3\n", "m.obj:5: there is no material 'red' in the material libraries; name them"},
-        {"mtllib ok.mtl\nusemtl rad\nf 1 2 3\n", "did you mean 'red'"},
+        {"mtllib ok.mtl\nusemtl rad\nf 1 2 3\n", "did you mean \"red\"?"},
         {"mtllib lost.mtl\nusemtl red\nf 1/1 2/1 3/1\n", "lost.mtl:2: the image 'lost.png' is missing"},
         {"mtllib up.mtl\nusemtl red\nf 1/1 2/1 3/1\n", "up.mtl:3: the image '../../up.png' lies outside"},
         {"mtllib text.mtl\nusemtl red\nf 1/1 2/1 3/1\n", "is no PNG or JPEG image"},
