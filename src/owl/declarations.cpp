@@ -116,7 +116,9 @@ std::string Declarations::suggestion(const Iri& iri, EntityKind kind) const {
         const std::size_t distance = edit_distance(name, other);
         if (distance < best) {
             best = distance;
-            nearest = other == name ? between("<", candidate, ">") : other;
+            nearest = other != name                        ? other
+                      : candidate.starts_with(core_prefix) ? "core:" + other
+                                                           : between("<", candidate, ">");
         }
     }
     return nearest.empty() ? "" : " (did you mean " + nearest + "?)";

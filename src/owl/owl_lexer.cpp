@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cstring>
+#include <vector>
 
 #include "base/errors.h"
+#include "base/spelling.h"
 #include "owl/rdf_graph.h"
 #include "owl/source_text.h"
 
@@ -122,6 +124,21 @@ OwlPrefixes::OwlPrefixes(std::string base) : base_(std::move(base)) {
     declare("swrlb:", swrlb_prefix);
 }
 
+/// What should stand there: a declared prefix that is spelled nearly so, or the one of core for a name of core.
+std::string OwlPrefixes::right_prefix(const std::string& prefix, const std::string& local) const {
+    const std::string how = "; declare it above as a Prefix, or write the name in full, <https://…>";
+    if (local.empty()) return how;
+    const bool is_of_core = core_ontology_text().find("\ncore:" + local + " a ") != std::string::npos;
+    std::vector<std::string> names;
+    for (const auto& [name, iri] : prefixes_) {
+        if (is_of_core && iri == core_prefix) return "; did you mean \"" + name + local + "\"?";
+        if (name.size() > 1) names.push_back(name);
+    }
+    if (is_of_core) return how + "; " + core_prefix + " is what core: stands for";
+    const std::string meant = prefix.size() > 1 ? did_you_mean({prefix}, names) : "";
+    return meant.empty() ? how : meant;
+}
+
 Iri OwlPrefixes::expand(const OwlLexer& lexer) const {
     if (lexer.kind == OwlToken::iri) return resolve_iri(base_, lexer.text);
     const std::string_view word = lexer.text;
@@ -129,9 +146,9 @@ Iri OwlPrefixes::expand(const OwlLexer& lexer) const {
     const std::string prefix(colon == std::string_view::npos ? ":" : word.substr(0, colon + 1));
     const auto found = prefixes_.find(prefix);
     if (found == prefixes_.end()) {
-        lexer.fail(lexer.line,
-                   "the prefix '" + prefix + "' of " + lexer.shown() +
-                       " is not declared; declare it above as a Prefix, or write the name in full, <https://…>");
+        const std::string local(colon == std::string_view::npos ? word : word.substr(colon + 1));
+        lexer.fail(lexer.line, "the prefix '" + prefix + "' of " + lexer.shown() + " is not declared" +
+                                   right_prefix(prefix, local));
     }
     std::string iri = found->second;
     const std::string_view local = colon == std::string_view::npos ? word : word.substr(colon + 1);

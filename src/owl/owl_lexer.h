@@ -62,6 +62,7 @@ public:
     [[nodiscard]] const std::string& base() const { return base_; }
 
 private:
+    [[nodiscard]] std::string right_prefix(const std::string& prefix, const std::string& local) const;
     std::string base_;
     std::map<std::string, std::string, std::less<>> prefixes_;
 };

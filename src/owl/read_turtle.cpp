@@ -6,8 +6,10 @@
 #include <map>
 #include <string_view>
 #include <unordered_map>
+#include <vector>
 
 #include "base/errors.h"
+#include "base/spelling.h"
 #include "owl/rdf_graph.h"
 #include "owl/turtle_lexer.h"
 
@@ -218,6 +220,10 @@ std::string TurtleReader::expanded() {
     if (lexer_.text == "rdfs") iri = rdfs_prefix;
     if (lexer_.text == "xsd") iri = xsd_prefix;
     if (lexer_.text == "core") iri = core_prefix;
+    std::vector<std::string> names;
+    for (const auto& [name, meaning] : prefixes_) names.push_back(name + ":");
+    const std::string meant = iri == "https://…" ? did_you_mean({lexer_.text + ":"}, names) : "";
+    if (!meant.empty()) lexer_.fail(lexer_.line, "the prefix of " + lexer_.shown() + " is not declared" + meant);
     lexer_.fail(lexer_.line, "the prefix of " + lexer_.shown() + " is not declared; add '@prefix " + lexer_.text +
                                  ": <" + iri + "> .' above");
 }

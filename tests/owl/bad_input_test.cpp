@@ -38,6 +38,7 @@ TEST(BadInput, TurtleSyntax) {
          "bad.ttl:3: ", "the '[' of line 3 should be closed by ']'"},
         {head + ":Seat owl:disjointUnionOf ( :Leg\n.\n", "bad.ttl:4: ", "the '(' of line 3 should be closed by ')'"},
         {head + ":Seat foo:bar :Leg .", "bad.ttl:3: ", "the prefix of 'foo:bar' is not declared"},
+        {head + ":Seat rdf2:label :Leg .", "bad.ttl:3: ", "the prefix of 'rdf2:label' is not declared; did you mean"},
         {"\n:Seat a owl:Class .", "bad.ttl:2: ", "the prefix of ':Seat' is not declared"},
         {head + ":Seat rdfs:label \"open .\n", "bad.ttl:3: ", "the string is not closed on its line"},
         {head + ":Seat rdfs:label \"\"\"open .\n\n", "bad.ttl:3: ", "never closed"},
