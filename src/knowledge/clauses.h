@@ -27,8 +27,9 @@ public:
     [[nodiscard]] int any_of(std::initializer_list<int> literals) {
         return any_of(std::span(literals.begin(), literals.size()));
     }
-    /// A literal that is true exactly when at least `count` of the literals are; one that is given twice counts twice
-    /// (a totalizer: Bailleux and Boufkhad 2003, bounded at `count`; about literals × count clauses).
+    /// A literal that is true exactly when at least `count` of the literals are; one that is given twice counts twice;
+    /// of more than there are: never() (a totalizer: Bailleux and Boufkhad 2003, bounded at `count`; about literals ×
+    /// count clauses).
     [[nodiscard]] int at_least(std::span<const int> literals, unsigned count);
     /// The constants.
     [[nodiscard]] int always();

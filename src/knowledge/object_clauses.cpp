@@ -195,7 +195,7 @@ int ObjectClauses::region_count_in(const Member& whole, const Formula& formula) 
                                  : composites(static_cast<std::size_t>(whole.group)).holds[whole.first][part];
         members.push_back(clauses.all_of({is_there, literal(parts_[part], formula.index)}));
     }
-    return formula.threshold > members.size() ? clauses.never() : clauses.at_least(members, formula.threshold);
+    return clauses.at_least(members, formula.threshold);
 }
 
 int ObjectClauses::make(Member& member, FormulaId id) {

@@ -127,16 +127,13 @@ int ObjectClauses::composite_count(const Member& whole, const Formula& formula) 
         for (std::size_t i = 0; whole.group < 0 && i < inner.grown.size(); ++i)
             grown.push_back(clauses.all_of({inner.grown[i].present, literal(inner.grown[i], formula.index)}));
     }
-    const auto at_least = [&](const std::vector<int>& literals) {
-        return formula.threshold > literals.size() ? clauses.never() : clauses.at_least(literals, formula.threshold);
-    };
-    const int exact = at_least(members);
+    const int exact = clauses.at_least(members, formula.threshold);
     if (whole.group >= 0 || known_ == 0 || known_ == parts_.size()) return exact;
     const int open = clauses.add_variable();
     clauses.add({-no_further_parts(), -open, exact});
     clauses.add({-no_further_parts(), open, -exact});
     if (region_count() < parts_.size()) return open;
-    clauses.add({-at_least(further), open});
+    clauses.add({-clauses.at_least(further, formula.threshold), open});
     if (formula.threshold == 1) clauses.add({-clauses.any_of(grown), open});
     clauses.add({-open, exact, clauses.any_of(further)});
     return open;

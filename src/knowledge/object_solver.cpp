@@ -62,8 +62,7 @@ public:
     void finish() {
         for (std::size_t a = 0; a < atoms.size(); ++a) {
             const Parts::Atom& atom = parts_.atoms[a];
-            const std::vector<int>& inputs = inputs_[atom.part];
-            join(atoms[a], inputs.size() < atom.threshold ? clauses.never() : clauses.at_least(inputs, atom.threshold));
+            join(atoms[a], clauses.at_least(inputs_[atom.part], atom.threshold));
         }
         for (std::size_t id = 0; id < concepts.size(); ++id)
             if (const NamedConcept& named = theory_.concepts[id];

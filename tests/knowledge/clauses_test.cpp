@@ -74,6 +74,8 @@ TEST(Clauses, SharesGates) {
     EXPECT_EQ(clauses.size(), size);
     EXPECT_EQ(clauses.all_of({literals[0], -literals[0]}), clauses.never());
     EXPECT_EQ(clauses.any_of({}), clauses.never());
+    EXPECT_EQ(clauses.at_least(literals, 41), clauses.never());  // more than there are
+    EXPECT_EQ(clauses.at_least({}, 1), clauses.never());
 }
 
 TEST(Clauses, CountingGrowsWithLiteralsTimesCount) {
