@@ -16,6 +16,7 @@
 #include "report/boundaries.h"
 #include "report/eval_pictures.h"
 #include "report/evaluate.h"
+#include "report/recognition.h"
 
 namespace partonomy::app {
 namespace {
@@ -24,7 +25,7 @@ namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
 struct Arguments {
-    std::string run_folder, truth, mesh, pictures;
+    std::string run_folder, truth, classes, mesh, pictures;
     std::vector<std::string> names;
     int worst = 8;
     bool json = false;
@@ -114,44 +115,14 @@ bool is_of_a_kind(const std::vector<std::string>& truth) {
     return std::ranges::any_of(truth, [](const std::string& label) { return !label.empty() && label != "-"; });
 }
 
-/// The classes that an annotated object was recognised as, diagnoses left out; nullopt where the annotation is lost.
-std::optional<std::vector<std::string>> classes_of(const nlohmann::json& annotation) {
+/// The classes that an annotated object was recognised as, or all that hold of it, diagnoses left out; nullopt where
+/// the annotation is lost.
+Recognition::Classes classes_of(const nlohmann::json& annotation, const char* which) {
     if (!annotation.is_object() || !annotation.contains("object") || !annotation.contains("diagnosis")) return {};
-    auto classes = annotation.at("object").at("classes").get<std::vector<std::string>>();
+    auto classes = annotation.at("object").at(which).get<std::vector<std::string>>();
     for (const auto& diagnosis : annotation.at("diagnosis")) std::erase(classes, diagnosis.at("concept"));
     return classes;
 }
-
-/// The meshes of no kind: they have no share in the accuracies, but must not be recognised.
-struct NoKind {
-    std::vector<std::string> rightly_not_recognised, recognised, unknown;  ///< by name; the second with its classes
-
-    void add(const std::string& mesh, const nlohmann::json& annotation) {
-        const auto classes = classes_of(annotation);
-        if (!classes)
-            unknown.push_back(mesh);
-        else if (classes->empty())
-            rightly_not_recognised.push_back(mesh);
-        else
-            recognised.push_back(fmt::format("{} as {}", mesh, fmt::join(*classes, ", ")));
-    }
-
-    [[nodiscard]] std::size_t count() const {
-        return rightly_not_recognised.size() + recognised.size() + unknown.size();
-    }
-
-    /// "2 meshes of no kind: 1 rightly not recognised, 1 recognised (box as Table)".
-    [[nodiscard]] std::string in_words() const {
-        std::vector<std::string> said;
-        if (const std::size_t right = rightly_not_recognised.size(); right > 0)
-            said.push_back(fmt::format("{} rightly not recognised", right));
-        if (!recognised.empty())
-            said.push_back(fmt::format("{} recognised ({})", recognised.size(), fmt::join(recognised, "; ")));
-        if (!unknown.empty())
-            said.push_back(fmt::format("{} without annotation.json ({})", unknown.size(), fmt::join(unknown, ", ")));
-        return fmt::format("{} {} of no kind: {}", count(), count() == 1 ? "mesh" : "meshes", fmt::join(said, ", "));
-    }
-};
 
 /// A label of the truth that no face has may be called otherwise in the ontology.
 void note_unknown_labels(const std::string& mesh, const std::vector<std::string>& truth,
@@ -204,8 +175,9 @@ struct Compared {
     SheetEntry entry;  ///< its title is the mesh's name
 };
 
-/// nullopt for a mesh of no kind, which is added to those.
-std::optional<Compared> compare(const Arguments& arguments, const fs::path& folder, NoKind& no_kind) {
+/// nullopt for a mesh of no kind. Whatever it is, what it was recognised as is added.
+std::optional<Compared> compare(const Arguments& arguments, const std::map<std::string, std::string>& classes,
+                                const fs::path& folder, Recognition& recognition) {
     const std::string stem = stem_of(folder);
     Compared compared;
     SheetEntry& entry = compared.entry;
@@ -216,8 +188,16 @@ std::optional<Compared> compare(const Arguments& arguments, const fs::path& fold
                              parse_names(arguments.names));
     entry.labels = lines_of(folder / "labels.txt");
     if (!is_of_a_kind(entry.truth)) {
-        no_kind.add(stem, annotation);
+        recognition.add_of_no_kind(stem, classes_of(annotation, "classes"));
         return std::nullopt;
+    }
+    const auto truth = classes.find(stem);
+    if (truth != classes.end() && truth->second == "-")
+        recognition.add_of_no_kind(stem, classes_of(annotation, "classes"));
+    if (truth != classes.end() && truth->second != "-") {
+        const auto all = classes_of(annotation, "all_classes"), told = classes_of(annotation, "classes");
+        const bool is_right = all && std::ranges::find(*all, truth->second) != all->end();
+        recognition.add(stem, truth->second, is_right ? all : told);
     }
     name_wholes(annotation, entry.truth, entry.labels);
     note_unknown_labels(stem, entry.truth, entry.labels);
@@ -261,61 +241,112 @@ void write_pictures(const fs::path& folder, const std::map<std::string, std::map
     write_file(folder / "worst.png", contact_sheet(worst));
 }
 
-int run_eval(const Arguments& arguments) {
-    ordered_json results = ordered_json::array();
-    double sum = 0, compared_count = 0;
-    std::map<std::string, std::map<std::string, double>> confusion;  // sum, then mean over the compared meshes
-    NoKind no_kind;
-    Worst worst(arguments.worst);
-    const std::vector<fs::path> folders = with_truth(annotated_folders(arguments.run_folder), arguments.truth);
-    bool has_head = arguments.json;
-    const auto print_head = [&] {
-        if (std::exchange(has_head, true)) return;
-        fmt::print("{:<24} {:>9} {:>9} {:>9} {:>9}  {}\n", "mesh", "area acc.", "face acc.", "Rand err.", "border F",
-                   "IoU by label");
-    };
-    for (const fs::path& folder : folders) {
-        std::optional<Compared> compared = compare(arguments, folder, no_kind);
-        if (!compared) continue;
-        print_head();
-        const auto& [result, boundaries, entry] = *compared;
-        sum += result.area_accuracy;
-        ++compared_count;
+/// Sums, then means, over the compared meshes.
+struct Means {
+    double area_accuracy = 0, face_accuracy = 0, rand_index_error = 0, boundary = 0;
+    std::map<std::string, std::pair<double, int>> iou;  ///< sum, and meshes that have the label
+    std::map<std::string, std::map<std::string, double>> confusion;
+    int count = 0;
+
+    void add(const Compared& compared) {
+        const Evaluation& result = compared.result;
+        ++count;
+        area_accuracy += result.area_accuracy;
+        face_accuracy += result.face_accuracy;
+        rand_index_error += result.rand_index_error;
+        boundary += compared.boundaries.f();
+        for (const auto& [label, value] : result.iou) {
+            iou[label].first += value;
+            ++iou[label].second;
+        }
         for (const auto& [truth, row] : result.confusion)
             for (const auto& [answer, share] : row) confusion[truth][answer] += share;
-        if (arguments.json) {
-            results.push_back(
-                {{"mesh", entry.title},
-                 {"area_accuracy", result.area_accuracy},
-                 {"face_accuracy", result.face_accuracy},
-                 {"rand_index_error", result.rand_index_error},
-                 {"boundary",
-                  {{"f", boundaries.f()}, {"precision", boundaries.precision}, {"recall", boundaries.recall}}},
-                 {"iou", result.iou},
-                 {"confusion", result.confusion}});
-        } else {
-            std::string iou;
-            for (const auto& [label, value] : result.iou) iou += fmt::format("{} {:.3f}  ", label, value);
-            fmt::print("{:<24} {:>9.4f} {:>9.4f} {:>9.4f} {:>9.4f}  {}\n", entry.title, result.area_accuracy,
-                       result.face_accuracy, result.rand_index_error, boundaries.f(), iou);
-        }
+    }
+
+    void divide() {
+        if (count == 0) return;
+        for (double* sum : {&area_accuracy, &face_accuracy, &rand_index_error, &boundary}) *sum /= count;
+        for (auto& [label, sum] : iou) sum.first /= sum.second;
+        for (auto& [truth, row] : confusion)
+            for (auto& [answer, share] : row) share /= count;
+    }
+};
+
+void print_row(const std::string& name, double area_accuracy, double face_accuracy, double rand_index_error,
+               double boundary, const std::map<std::string, double>& iou) {
+    std::string labels;
+    for (const auto& [label, value] : iou) labels += fmt::format("{} {:.3f}  ", label, value);
+    fmt::print("{:<24} {:>9.4f} {:>9.4f} {:>9.4f} {:>9.4f}  {}\n", name, area_accuracy, face_accuracy, rand_index_error,
+               boundary, labels);
+}
+
+ordered_json in_json(const Compared& compared) {
+    const auto& [result, boundaries, entry] = compared;
+    return {{"mesh", entry.title},
+            {"area_accuracy", result.area_accuracy},
+            {"face_accuracy", result.face_accuracy},
+            {"rand_index_error", result.rand_index_error},
+            {"boundary", {{"f", boundaries.f()}, {"precision", boundaries.precision}, {"recall", boundaries.recall}}},
+            {"iou", result.iou},
+            {"confusion", result.confusion}};
+}
+
+ordered_json in_json(const ordered_json& meshes, const Means& means, const std::map<std::string, double>& iou,
+                     const Recognition& recognition) {
+    ordered_json report = {{"meshes", meshes}, {"mean_area_accuracy", nullptr}, {"mean", nullptr}};
+    if (means.count > 0) {
+        report["mean_area_accuracy"] = means.area_accuracy;
+        report["mean"] = {{"area_accuracy", means.area_accuracy},
+                          {"face_accuracy", means.face_accuracy},
+                          {"rand_index_error", means.rand_index_error},
+                          {"boundary", means.boundary},
+                          {"iou", iou}};
+    }
+    report["confusion"] = means.confusion;
+    if (recognition.of_a_class() > 0)
+        report["classes"] = {
+            {"right", recognition.right}, {"of", recognition.of_a_class()}, {"wrong", recognition.wrong}};
+    report["no_kind"] = {{"rightly_not_recognised", recognition.rightly_not_recognised},
+                         {"recognised", recognition.recognised},
+                         {"unknown", recognition.unknown}};
+    return report;
+}
+
+int run_eval(const Arguments& arguments) {
+    ordered_json meshes = ordered_json::array();
+    Means means;
+    Recognition recognition;
+    Worst worst(arguments.worst);
+    std::map<std::string, std::string> classes;
+    if (!arguments.classes.empty()) classes = read_classes(read_file(arguments.classes), arguments.classes);
+    const std::vector<fs::path> folders = with_truth(annotated_folders(arguments.run_folder), arguments.truth);
+    for (const fs::path& folder : folders) {
+        std::optional<Compared> compared = compare(arguments, classes, folder, recognition);
+        if (!compared) continue;
+        if (means.count == 0 && !arguments.json)
+            fmt::print("{:<24} {:>9} {:>9} {:>9} {:>9}  {}\n", "mesh", "area acc.", "face acc.", "Rand err.",
+                       "border F", "IoU by label");
+        means.add(*compared);
+        const Evaluation& result = compared->result;
+        if (arguments.json)
+            meshes.push_back(in_json(*compared));
+        else
+            print_row(compared->entry.title, result.area_accuracy, result.face_accuracy, result.rand_index_error,
+                      compared->boundaries.f(), result.iou);
         if (!arguments.pictures.empty()) worst.add(result.area_accuracy, std::move(compared->entry));
     }
-    for (auto& [truth, row] : confusion)
-        for (auto& [answer, share] : row) share /= compared_count;
-    if (!arguments.pictures.empty()) write_pictures(arguments.pictures, confusion, worst.take());
+    means.divide();
+    std::map<std::string, double> iou;
+    for (const auto& [label, mean] : means.iou) iou[label] = mean.first;
+    if (!arguments.pictures.empty()) write_pictures(arguments.pictures, means.confusion, worst.take());
     if (arguments.json) {
-        const ordered_json mean = compared_count > 0 ? ordered_json(sum / compared_count) : ordered_json();
-        const ordered_json others = {{"rightly_not_recognised", no_kind.rightly_not_recognised},
-                                     {"recognised", no_kind.recognised},
-                                     {"unknown", no_kind.unknown}};
-        const ordered_json report = {
-            {"meshes", results}, {"mean_area_accuracy", mean}, {"confusion", confusion}, {"no_kind", others}};
-        fmt::print("{}\n", report.dump(2));
+        fmt::print("{}\n", in_json(meshes, means, iou, recognition).dump(2));
         return recognised;
     }
-    if (compared_count > 0) fmt::print("{:<24} {:>9.4f}\n", "mean", sum / compared_count);
-    if (no_kind.count() > 0) fmt::print("{}\n", no_kind.in_words());
+    if (means.count > 0)
+        print_row("mean", means.area_accuracy, means.face_accuracy, means.rand_index_error, means.boundary, iou);
+    if (recognition.of_a_class() > 0) fmt::print("{}\n", recognition.classes_in_words());
+    if (recognition.of_no_kind() > 0) fmt::print("{}\n", recognition.no_kind_in_words());
     return recognised;
 }
 
@@ -331,6 +362,8 @@ void add_eval_command(CLI::App& app, Run& run) {
     command
         .add_option("--names", arguments->names, "what truth labels are called in the ontology: support=Seat,leg=Leg")
         ->delimiter(',');
+    command.add_option("--classes", arguments->classes,
+                       "file with the true class of each object, a line each: chair3 Chair");
     command.add_option("--mesh", arguments->mesh, "the mesh, when it is not where it was annotated");
     command.add_option("--pictures", arguments->pictures,
                        "folder for confusion.png and worst.png, the worst meshes beside their truth");
