@@ -2,9 +2,9 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <regex>
 
 #include "app/kept_annotation.h"
 #include "base/errors.h"
@@ -118,51 +118,31 @@ std::vector<std::string> bearers(const json& annotation, const std::string& name
     return found;
 }
 
-/// What a definition counts: "not (hasPart some Fin)" and "hasPart max 0 Fin" want fewer than one.
-struct Counted {
-    bool is_at_most = false;
-    std::size_t number = 1;
-    std::string name;
-};
-
-std::vector<Counted> counts_in(const std::string& definition) {
-    static const std::regex counted("(not \\()?hasPart (some|min|max|exactly) ?([0-9]{0,6}) ([A-Za-z_][A-Za-z0-9_]*)");
-    std::vector<Counted> result;
-    for (std::sregex_iterator found(definition.begin(), definition.end(), counted), end; found != end; ++found) {
-        const bool is_negated = (*found)[1].matched, is_max = (*found)[2] == "max";
-        if (is_negated && (*found)[2] != "some") continue;
-        const std::size_t number = (*found)[3].length() == 0 ? 1 : std::stoul((*found)[3]);
-        result.push_back({is_negated || is_max || number == 0, is_negated ? 0 : number, (*found)[4]});
-    }
-    return result;
-}
-
-/// The definition of what is impossible, which parts meet what it asks for, and whether there are too many or too few
-/// of some: only where the definition asks for nothing else, or the number may be beside the point.
+/// Which parts meet what the definition of what is impossible asks for, and whether there are too many or too few of
+/// some: only where it says nothing else of parts, or the number may be beside the point. Then the definition.
 void print_in_short(const json& annotation, const json& diagnosis) {
-    const std::string beginning = diagnosis.at("concept").get<std::string>() + " EquivalentTo: ";
-    for (const json& axiom : diagnosis.at("axioms")) {
-        const auto text = axiom.get<std::string>();
-        if (!text.starts_with(beginning)) continue;
-        const std::string definition = text.substr(beginning.size());
-        const std::vector<Counted> counts = counts_in(definition);
-        const std::size_t first = definition.find("hasPart ");
-        const bool is_alone = counts.size() == 1 && definition.find("hasPart ", first + 1) == std::string::npos;
-        for (const Counted& each : counts) {
-            const std::vector<std::string> all = bearers(annotation, each.name);
-            const std::string which = all.empty() ? "" : fmt::format(" ({})", fmt::join(all, "; "));
-            if (each.is_at_most ? all.size() > each.number : all.size() < each.number) continue;
-            if (each.is_at_most && is_alone)
-                fmt::print("  {} missing: {} {}{}, where at least {} is needed\n", each.number + 1 - all.size(),
-                           all.size(), each.name, which, each.number + 1);
-            else if (each.number > 1 && is_alone)
-                fmt::print("  {} too many: {} {}{}, where {} or more are impossible\n", all.size() - each.number + 1,
-                           all.size(), each.name, which, each.number);
-            else if (!all.empty())
-                fmt::print("  its {}: {}\n", each.name, fmt::join(all, "; "));
-        }
-        fmt::print("  it is defined as {}\n", definition);
+    const json counts = diagnosis.value("counts", json::array());
+    const bool is_alone = counts.size() == 1 && diagnosis.value("counts_are_all", false);
+    for (const json& each : counts) {
+        const auto name = each.at("part").get<std::string>();
+        const std::vector<std::string> all = bearers(annotation, name);
+        const std::string which = all.empty() ? "" : fmt::format(" ({})", fmt::join(all, "; "));
+        const std::size_t least = each.value("at_least", std::size_t{0});
+        const std::size_t most = each.value("at_most", std::numeric_limits<std::size_t>::max());
+        if (all.size() < least || all.size() > most) continue;
+        if (is_alone && least == 0)
+            fmt::print("  {} missing: {} {}{}, where at least {} is needed\n", most + 1 - all.size(), all.size(), name,
+                       which, most + 1);
+        else if (is_alone && least > 1 && !each.contains("at_most"))
+            fmt::print("  {} too many: {} {}{}, where {} or more are impossible\n", all.size() - least + 1, all.size(),
+                       name, which, least);
+        else if (!all.empty())
+            fmt::print("  its {}: {}\n", name, fmt::join(all, "; "));
     }
+    const std::string beginning = diagnosis.at("concept").get<std::string>() + " EquivalentTo: ";
+    for (const json& axiom : diagnosis.at("axioms"))
+        if (const auto text = axiom.get<std::string>(); text.starts_with(beginning))
+            fmt::print("  it is defined as {}\n", text.substr(beginning.size()));
 }
 
 void print_list(const char* title, const json& lines) {

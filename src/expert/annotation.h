@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -54,12 +55,22 @@ struct Diagnosis {
     std::vector<std::string> answers;      ///< of the minimal explanation, in words
     std::vector<std::string> axioms;       ///< of the minimal explanation: Manchester syntax, file and line
     std::vector<std::string> corrections;  ///< in words, cheapest first; one may change several answers
-    /// The same as answers to turn round (indices into Annotation::answers), and what that costs.
+    /// The same as answers to turn round (indices into Annotation::answers), or as parts to add or to take away; and
+    /// what that costs.
     struct Change {
         std::vector<std::size_t> answers;
         double cost = 0;
+        std::string part = {};  ///< name of the parts to add or take away; empty: answers are turned
+        int count = 0;          ///< of them to add; negative: to take away
     };
     std::vector<Change> changes = {};
+    /// How many parts of a name its definition asks for.
+    struct Count {
+        std::string part;
+        std::optional<std::uint32_t> at_least, at_most;
+    };
+    std::vector<Count> counts = {};
+    bool counts_are_all = true;  ///< the definition says nothing else of parts
 };
 
 /// A class that an object which is not recognised comes near to.

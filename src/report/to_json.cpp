@@ -93,9 +93,19 @@ void write_knowledge(JsonText& json, const Annotation& annotation) {
             .member("axioms", diagnosis.axioms)
             .member("corrections", diagnosis.corrections)
             .array("changes");
-        for (const auto& [answers, cost] : diagnosis.changes)
-            json.object().member("answers", answers).member("cost", cost).end();
-        json.end().end();
+        for (const Diagnosis::Change& change : diagnosis.changes) {
+            json.object().member("answers", change.answers).member("cost", change.cost);
+            if (!change.part.empty()) json.member("part", change.part).member("count", change.count);
+            json.end();
+        }
+        json.end().array("counts");
+        for (const Diagnosis::Count& count : diagnosis.counts) {
+            json.object().member("part", count.part);
+            if (count.at_least) json.member("at_least", *count.at_least);
+            if (count.at_most) json.member("at_most", *count.at_most);
+            json.end();
+        }
+        json.end().member("counts_are_all", diagnosis.counts_are_all).end();
     }
     json.end();
 }

@@ -513,6 +513,28 @@ TEST(Eval, AgainstTheTruthOfTheExamples) {
             if (answer == truth) right += share.get<double>();
     EXPECT_NEAR(right, 1, 1e-9) << "the mean of confusions that each add up to 1";
 
+    EXPECT_NEAR(report.at("mean").at("face_accuracy").get<double>(), 1, 1e-12);
+    EXPECT_NEAR(report.at("mean").at("iou").at("Leg").get<double>(), 1, 1e-12);
+    EXPECT_FALSE(report.contains("classes"));
+
+    std::string classes;
+    for (const ExampleObject& object : paper_objects()) classes += object.name + ".off " + object.object_class + "\n";
+    classes.replace(classes.find(' ') + 1, classes.find('\n') - classes.find(' ') - 1, "Spoon");
+    folder.write("classes.txt", classes);
+    const ProgramResult with_classes = run_partonomy(
+        {"eval", "out", "--truth", "truth", "--names", "foot=Leg", "--classes", "classes.txt"}, folder.path());
+    EXPECT_NE(with_classes.out.find("\nmean                        1.0000    1.0000    0.0000    1.0000  "),
+              std::string::npos)
+        << with_classes.out;
+    EXPECT_NE(with_classes.out.find("\nclasses: 6 of 7 right; " + paper_objects().front().name + " as "),
+              std::string::npos)
+        << with_classes.out;
+    folder.write("classes.txt", "chair\n");
+    const ProgramResult torn =
+        run_partonomy({"eval", "out", "--truth", "truth", "--classes", "classes.txt"}, folder.path());
+    EXPECT_EQ(torn.exit_code, 1);
+    EXPECT_NE(torn.err.find("classes.txt:1: a line should be"), std::string::npos) << torn.err;
+
     EXPECT_FALSE(fs::exists(folder.path() / "pictures"));
     const ProgramResult pictures = run_partonomy(
         {"eval", "out", "--truth", "truth", "--names", "foot=Leg", "--pictures", "pictures", "--worst", "3"},

@@ -37,6 +37,11 @@ bool expect_sound(const knowledge::Domain& domain, const Annotation& annotation)
         std::pair<bool, double> before{false, 0};
         for (std::size_t k = 0; k < diagnosis.changes.size(); ++k) {
             SCOPED_TRACE(diagnosis.corrections[k]);
+            if (!diagnosis.changes[k].part.empty()) {  // NumbersOfParts looks at these
+                EXPECT_EQ(diagnosis.corrections[k].find("then it is not"), std::string::npos);
+                before = {false, std::round(10 * diagnosis.changes[k].cost)};
+                continue;
+            }
             knowledge::Knowledge changed = knowledge;
             double cost = 0;
             for (const std::size_t i : diagnosis.changes[k].answers) {
@@ -104,6 +109,69 @@ TEST(Corrections, OfTwoPartsWithTheSameFault) {
     EXPECT_EQ(annotation.diagnosis[0].changes[0].answers.size(), 2U) << annotation.diagnosis[0].corrections[0];
     EXPECT_NE(annotation.diagnosis[0].corrections[0].find("length"), std::string::npos)
         << "the rule asks for it; " << annotation.diagnosis[0].corrections[0];
+}
+
+/// A rule that counts parts is kept by a part more or less, by whatever words it says so. The second opinion is another
+/// mesh, made with the part or without it.
+TEST(Corrections, NumbersOfParts) {
+    const std::string lamp = read_file(PARTONOMY_SOURCE_DIR "/ontologies/lamps.omn");
+    const auto found = [&](const std::string& rule, const TriangleMesh& mesh) {
+        const std::string text = lamp +
+                                 "\nClass: :Bulb\n    EquivalentTo: core:Region and (core:hasShape some core:Cube) and "
+                                 "(core:hasPosition some core:Down) and (not :HoodWall)\n"
+                                 "Class: :Wrong\n    SubClassOf: core:Incompatible\n    EquivalentTo: :TwinLamp and " +
+                                 rule + "\n";
+        const knowledge::Domain domain = knowledge::compile(owl::parse_ontology(text, "lamps.omn"));
+        const Catalogue catalogue = make_catalogue(domain);
+        Annotation annotation = annotate(domain, catalogue, make_object(mesh, {}));
+        for (const Diagnosis& diagnosis : annotation.diagnosis)
+            if (diagnosis.concept_name == "Wrong") return diagnosis;
+        return Diagnosis{};
+    };
+    const auto has = [](const Diagnosis& diagnosis, const std::string& words) {
+        return std::ranges::any_of(diagnosis.corrections,
+                                   [&](const std::string& text) { return text.starts_with(words); });
+    };
+    const auto all = [](const Diagnosis& diagnosis) {
+        std::string text;
+        for (const std::string& each : diagnosis.corrections) text += each + "\n";
+        return text;
+    };
+    const TriangleMesh twin = lamps().back().mesh;
+    for (const char* none : {"(core:hasPart max 0 :Bulb)", "(not (core:hasPart some :Bulb))",
+                             "(not (core:hasPart min 1 :Bulb))", "(core:hasPart exactly 0 :Bulb)"}) {
+        const Diagnosis missing = found(none, twin);
+        EXPECT_TRUE(has(missing, "add one Bulb (cost 0.50)")) << none << "\n" << all(missing);
+        ASSERT_EQ(missing.counts.size(), 1U) << none;
+        EXPECT_EQ(missing.counts[0].part, "Bulb");
+        EXPECT_EQ(missing.counts[0].at_most, 0U);
+        EXPECT_TRUE(missing.counts_are_all);
+    }
+    const Diagnosis two = found("(core:hasPart max 1 :Bulb)", twin);
+    EXPECT_TRUE(has(two, "add 2 Bulb (cost 1.00)")) << all(two);
+    // One bulb alone would break another rule.
+    const Diagnosis pair = found(
+        "(core:hasPart max 0 :Bulb)\nClass: :OneBulb\n    SubClassOf: core:Incompatible\n"
+        "    EquivalentTo: :TwinLamp and (core:hasPart exactly 1 :Bulb)",
+        twin);
+    EXPECT_TRUE(has(pair, "add 2 Bulb (cost 1.00)")) << all(pair);
+    EXPECT_FALSE(has(pair, "add one Bulb")) << all(pair);
+    const Diagnosis shades = found("(core:hasPart exactly 2 :Stem)", twin);
+    EXPECT_TRUE(has(shades, "one more Stem (cost 0.50)")) << all(shades);
+    EXPECT_EQ(shades.counts.at(0).at_least, 2U);
+    EXPECT_EQ(shades.counts.at(0).at_most, 2U);
+    const Diagnosis fewer = found("(core:hasPart min 2 :Arm)", twin);
+    EXPECT_TRUE(has(fewer, "take away one Arm: part ")) << all(fewer);
+    for (const Diagnosis::Change& change : fewer.changes) {
+        EXPECT_TRUE(change.part.empty() || change.count == -1) << change.part;
+    }
+    // What the object needs is not taken away; what is no matter of numbers is not told as one.
+    const Diagnosis base = found("(core:hasPart some :Base)", twin);
+    EXPECT_FALSE(base.concept_name.empty());
+    EXPECT_FALSE(has(base, "take away")) << all(base);
+    const Diagnosis either = found("((core:hasPart max 0 :Bulb) or (core:hasPart min 9 :Arm))", twin);
+    EXPECT_TRUE(either.counts.empty());
+    EXPECT_FALSE(either.counts_are_all);
 }
 
 }  // namespace
