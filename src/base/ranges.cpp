@@ -3,7 +3,6 @@
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
-#include <tbb/partitioner.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -21,12 +20,8 @@ void for_each_range(std::size_t count, int threads, const std::function<void(std
         return;
     }
     const auto all = [&] {
-        const tbb::blocked_range<std::size_t> whole(0, count, grain);
-        const auto work_on = [&](const tbb::blocked_range<std::size_t>& range) { work(range.begin(), range.end()); };
-        if (grain == 1)
-            tbb::parallel_for(whole, work_on, tbb::simple_partitioner());  // a large item keeps no other one waiting
-        else
-            tbb::parallel_for(whole, work_on);
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain),
+                          [&](const tbb::blocked_range<std::size_t>& range) { work(range.begin(), range.end()); });
     };
     if (threads == most)
         all();  // an arena of one's own costs more than a small mesh gains

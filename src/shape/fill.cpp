@@ -178,11 +178,15 @@ private:
 void fill(const Surface& s, const Groups& free_pieces, Parts& parts) {
     const auto places = find_places(s, free_pieces, parts);
     // Parts are all around a piece, so pieces know nothing of each other. Large ones come first, each by itself; of
-    // small ones many are a piece of work.
-    constexpr std::size_t enough_work = 1024;
+    // small ones many are a piece of work, and there are so few of these that threads take them one by one.
     std::vector<std::size_t> order;
+    std::size_t all = 0;
     for (std::size_t k = 0; k < free_pieces.size(); ++k)
-        if (parts.part_of[free_pieces[k].front()] < 0) order.push_back(k);
+        if (parts.part_of[free_pieces[k].front()] < 0) {
+            order.push_back(k);
+            all += free_pieces[k].size();
+        }
+    const std::size_t enough_work = std::max<std::size_t>(1024, all / 8);
     std::ranges::stable_sort(order, std::greater<>(), [&](std::size_t k) { return free_pieces[k].size(); });
     std::vector<std::size_t> starts;  // of work
     for (std::size_t k = 0, work = enough_work; k < order.size(); ++k) {
