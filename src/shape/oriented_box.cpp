@@ -198,7 +198,7 @@ struct Effort {
     int directions;
     std::size_t starts, improved;
 };
-constexpr Effort quick{40, 8, 4}, thorough{100, 16, 8};
+constexpr Effort quick{40, 8, 4}, thorough{60, 12, 4}, brief{40, 8, 2};
 
 constexpr double too_large_to_turn = 1.5;      // times the smallest start
 constexpr double too_large_to_improve = 1.03;  // times the smallest turned box
@@ -461,7 +461,7 @@ OrientedBox smallest_box(std::span<const Vec3> points) {
             chosen = corners_of(points, chosen, points.size() < fine_mesh ? 5120 : 640);
             active = gather(points, chosen);
         }
-        boxes = search_boxes(active, size, active.cols() < many_corners ? thorough : quick);
+        boxes = search_boxes(active, size, active.cols() < many_corners ? thorough : brief);
     }
     keep_small(boxes, 2, second_chance);
     if (chosen.size() == points.size()) return measured_box(points, boxes.front().axes);
