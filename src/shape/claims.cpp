@@ -217,46 +217,62 @@ Vec3 way_of(const Surface& s, const std::vector<std::int32_t>& triangles) {
     return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(facing).eigenvectors().col(0);
 }
 
+/// Some triangles of a stick: those that lie along a board between its walls, and the others.
+struct Along {
+    std::vector<std::int32_t> along, beyond;
+    double along_area = 0, area = 0;
+    Vec3 to_board = Vec3::Zero();  ///< mean way to it
+};
+
+/// Looks at every so many triangles.
+Along tell_along(const Surface& s, const Core& stick, const Core& board, const Frame& plane, std::size_t every) {
+    const double reach = 0.75 * (board.thickness + stick.thickness);
+    const std::size_t step = 1 + board.triangles.size() / 600;
+    Along result;
+    for (std::size_t w = every / 2; w < stick.triangles.size(); w += every) {
+        const std::int32_t i = stick.triangles[w];
+        const Vec3& place = s.geometry.barycentres[i];
+        Vec3 nearest = Vec3::Constant(s.size);
+        if (std::abs((place - plane.middle).dot(plane.normal)) < plane.half + stick.thickness)
+            for (std::size_t q = 0; q < board.triangles.size(); q += step) {
+                const Vec3 way = s.geometry.barycentres[board.triangles[q]] - place;
+                if (way.squaredNorm() < nearest.squaredNorm()) nearest = way;
+            }
+        result.area += s.geometry.areas[i];
+        if (nearest.norm() > reach) {
+            result.beyond.push_back(i);
+            continue;
+        }
+        result.along.push_back(i);
+        result.along_area += s.geometry.areas[i];
+        result.to_board += s.geometry.areas[i] * nearest;
+    }
+    return result;
+}
+
+/// Whether a stick runs along a board, and then off to the side.
+bool turns_off(const Surface& s, const Along& stick) {
+    constexpr double least = 0.1, most_to_it = 0.5, most_straight_on = 0.55;
+    if (stick.along_area < least * stick.area || stick.along_area > (1 - least) * stick.area) return false;
+    const Vec3 way = way_of(s, stick.along);
+    return std::abs(way.dot(stick.to_board)) <= most_to_it * stick.to_board.norm() &&
+           std::abs(way.dot(way_of(s, stick.beyond))) <= most_straight_on;
+}
+
 /// Cuts sticks where they turn off the rim of a board, as the bridge of spectacles does: what runs along the board
 /// becomes free, and the rest is a stick of its own. A post that goes straight on beyond the board stays whole.
 void cut_at_rims(const Surface& s, const std::vector<Board>& boards, Parts& parts) {
-    constexpr double least = 0.1, most_to_it = 0.5, most_straight_on = 0.55;
+    constexpr std::size_t enough = 400;  // triangles, to tell
     for (const auto& [b, fit] : boards) {
-        const Frame& plane = fit.frame;
         const std::size_t existing = parts.parts.size();
         for (std::size_t k = 0; k < existing; ++k) {
             const Core &stick = parts.parts[k], &board = parts.parts[b];
-            if (stick.kind != Solidity::stick || stick.triangles.empty() || board.triangles.empty()) continue;
-            if (stick.area > board.area) continue;
-            const auto height = [&](std::int32_t i) {
-                return std::abs((s.geometry.barycentres[i] - plane.middle).dot(plane.normal));
-            };
-            const double reach = 0.75 * (board.thickness + stick.thickness);
-            const std::size_t step = 1 + board.triangles.size() / 600;
-            std::vector<std::int32_t> along, beyond;
-            double along_area = 0;
-            Vec3 to_board = Vec3::Zero();
-            for (const std::int32_t i : stick.triangles) {
-                Vec3 nearest = Vec3::Constant(s.size);
-                if (height(i) < plane.half + stick.thickness)
-                    for (std::size_t q = 0; q < board.triangles.size(); q += step) {
-                        const Vec3 way = s.geometry.barycentres[board.triangles[q]] - s.geometry.barycentres[i];
-                        if (way.squaredNorm() < nearest.squaredNorm()) nearest = way;
-                    }
-                if (nearest.norm() > reach) {
-                    beyond.push_back(i);
-                    continue;
-                }
-                along.push_back(i);
-                along_area += s.geometry.areas[i];
-                to_board += s.geometry.areas[i] * nearest;
-            }
-            if (along_area < least * stick.area || along_area > (1 - least) * stick.area) continue;
-            const Vec3 way = way_of(s, along);
-            if (std::abs(way.dot(to_board)) > most_to_it * to_board.norm()) continue;
-            if (std::abs(way.dot(way_of(s, beyond))) > most_straight_on) continue;
-            for (const std::int32_t i : along) parts.part_of[i] = -1;
-            parts.parts[k].triangles = std::move(beyond);
+            if (stick.kind != Solidity::stick || stick.triangles.empty() || stick.area > board.area) continue;
+            const std::size_t every = 1 + stick.triangles.size() / enough;
+            if (!turns_off(s, tell_along(s, stick, board, fit.frame, every))) continue;
+            Along all = tell_along(s, stick, board, fit.frame, 1);
+            for (const std::int32_t i : all.along) parts.part_of[i] = -1;
+            parts.parts[k].triangles = std::move(all.beyond);
             split_into_pieces(s, parts, static_cast<std::int32_t>(k));
         }
     }
