@@ -7,9 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <iterator>
 #include <set>
-#include <tuple>
 
 #include "base/errors.h"
 #include "base/spelling.h"
