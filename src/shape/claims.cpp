@@ -23,6 +23,7 @@
 #include <limits>
 #include <memory>
 #include <numeric>
+#include <set>
 #include <span>
 #include <utility>
 
@@ -511,6 +512,25 @@ private:
     double room_ = 0;  ///< how far from the middle plane the board may go
 };
 
+/// Whether a free piece lies between the two planes of a board that it meets, as the bridge between a hole and the edge
+/// of a plate does.
+bool is_of_a_board(const Surface& s, std::span<const std::int32_t> piece, double area, const Parts& parts) {
+    constexpr double nearly_all = 0.98, beyond = 1.02;
+    std::set<std::int32_t> boards;
+    for (const std::int32_t i : piece)
+        for (const std::int32_t j : s.adjacency.neighbours[i])
+            if (j >= 0 && parts.part_of[j] >= 0 && parts.parts[parts.part_of[j]].is_exact)
+                boards.insert(parts.part_of[j]);
+    return std::ranges::any_of(boards, [&](std::int32_t number) {
+        const Core& board = parts.parts[number];
+        double within = 0;
+        for (const std::int32_t i : piece)
+            if (std::abs((s.geometry.barycentres[i] - board.middle).dot(board.normal)) < beyond * board.half)
+                within += s.geometry.areas[i];
+        return within > nearly_all * area;
+    });
+}
+
 }  // namespace
 
 void claim(const Surface& s, const Vec3& up, Parts& parts) {
@@ -565,7 +585,7 @@ void found_new_parts(const Surface& s, const Groups& free_pieces, Parts& parts) 
     for (std::size_t k = 0; k < free_pieces.size(); ++k) {
         const auto piece = free_pieces[k];
         const auto [area, facing] = measured[k];
-        if (area < 2e-3 * total || facing < 0.6 * area) continue;
+        if (area < 2e-3 * total || facing < 0.6 * area || is_of_a_board(s, piece, area, parts)) continue;
         Core core;
         core.kind = Solidity::stick;
         core.triangles.assign(piece.begin(), piece.end());
