@@ -160,10 +160,11 @@ FormulaId Grounder::ground_name(const Iri& iri, Level level, const Axiom& axiom)
     }
     if (found->second != level)
         refuse(axiom, name + " is " + kind_of(found->second) + " where " + kind_of(level) + " is meant",
-               found->second < level            ? "write hasPart some " + name
-               : found->second == Level::object ? "describe " + std::string(kind_of(level)) + " by " +
-                                                      (level == Level::region ? "its features" : "its parts")
-                                                : "write " + pieces_of(iri) + ", of which it consists");
+               found->second < level ? "write hasPart some " + name
+               : found->second == Level::object
+                   ? "describe " + std::string(kind_of(level)) + " by " +
+                         (level == Level::region ? "its features" : "its parts")
+                   : "write " + pieces_of(iri) + ", of which it consists: any one piece then");
     if (is_core_term(iri, "Region") || is_core_term(iri, "Object") || is_core_term(iri, "CompositePart")) return 0;
     return named(theory_.find(iri));
 }

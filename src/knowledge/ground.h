@@ -64,6 +64,8 @@ private:
     NodeTest ground_node(const owl::ClassPointer& expression, std::vector<FormulaId>& classes, const owl::Axiom& axiom);
     NodeTest ground_linked(const owl::ClassExpression& expression, std::vector<FormulaId>& classes,
                            const owl::Axiom& axiom);
+    /// The property that leads to what a relation links the region to, for messages.
+    [[nodiscard]] std::string other_side() const { return is_target_ ? "isReferenceRegion" : "isTargetRegion"; }
     [[nodiscard]] std::string pieces_of(const Iri& composite) const;
     [[nodiscard]] const owl::Axiom* leads_without_range(const Iri& feature) const;
     [[nodiscard]] const RangeConcept* range_of_value(const Iri& value) const;
@@ -87,6 +89,7 @@ private:
     std::vector<Iri> open_;                          ///< classes of values whose definition is being read
     PropertyHierarchy hierarchy_;
     std::map<std::pair<Level, std::string>, FormulaId> open_atoms_;  ///< by layer and key
+    bool is_target_ = true;                                          ///< of the relation that is being grounded
     bool is_within_ = false;                                         ///< see ground_within
     bool outside_parts_ = true;
     std::vector<std::pair<FormulaId, Level>> mentions_;

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "base/errors.h"
 #include "knowledge/ground.h"
@@ -40,6 +42,20 @@ auto counted(const ClassExpression& expression, const AtLeast& at_least, const a
     }
 }
 
+/// The relation that a test asks for, if it is one.
+std::optional<std::size_t> only_relation(const NodeTest& test) {
+    if (test.kind == NodeTest::Kind::relation && std::ranges::count(test.relations, 1) == 1)
+        return std::ranges::find(test.relations, 1) - test.relations.begin();
+    std::optional<std::size_t> one;
+    if (test.kind == NodeTest::Kind::no) return one;
+    for (const NodeTest& operand : test.operands)
+        if (const auto found = only_relation(operand)) {
+            if (one && *one != *found) return std::nullopt;
+            one = found;
+        }
+    return one;
+}
+
 owl::ClassPointer filler_of(const ClassExpression& expression) {
     if (expression.operands.empty()) return owl::thing();
     if (expression.kind == ClassKind::all_values_from) return owl::complement_of(expression.operands[0]);
@@ -63,7 +79,8 @@ NodeTest Grounder::ground_linked(const ClassExpression& expression, std::vector<
     const bool of_target = is_core_term(property, "isTargetRegion");
     if (!expression.property.inverse || (!of_target && !is_core_term(property, "isReferenceRegion")))
         refuse(axiom, "\"" + to_manchester(expression) + "\" says nothing of a relation between regions",
-               "write inverse isReferenceRegion some Seat");
+               "write inverse (" + other_side() + ") some " +
+                   (expression.operands.empty() ? "Region" : to_manchester(*expression.operands[0])));
     if (expression.number == UINT32_MAX) refuse(axiom, "the cardinality is too large", "write a smaller one");
     classes.push_back(ground(filler_of(expression), Level::region, axiom));
     const auto at_least = [&](unsigned threshold) {
@@ -119,7 +136,7 @@ NodeTest Grounder::ground_node(const owl::ClassPointer& pointer, std::vector<For
             return ground_linked(expression, classes, axiom);
         default:
             refuse(axiom, "\"" + to_manchester(expression) + "\" says nothing of a relation between regions",
-                   "write a relation, and inverse isReferenceRegion some Seat");
+                   "write a relation, and inverse (" + other_side() + ") some Region");
     }
 }
 
@@ -154,13 +171,23 @@ FormulaId Grounder::ground_relation(const ClassExpression& expression, const owl
             const std::size_t index = theory_.relational.size();
             theory_.relational.push_back(feature);  // its place is taken before those inside
             theory_.relational_classes.emplace_back();
+            const bool was_target = std::exchange(is_target_, feature.of_target);
             feature.test = ground_node(filler, classes, axiom);
+            is_target_ = was_target;
             bool possible = false;
             for (std::size_t r = 0; r < theory_.relations.size(); ++r)
                 possible |= may_pass(feature.test, theory_.relations, r);
-            if (!possible)
-                refuse(axiom, "no node can be \"" + to_manchester(*filler) + "\", since each is of one relation",
-                       "write one restriction for each relation");
+            if (!possible) {
+                const std::string what = "no node can be \"" + to_manchester(*filler) + "\"";
+                const std::optional<std::size_t> one = only_relation(feature.test);
+                if (!one)
+                    refuse(axiom, what + ", since each is of one relation", "write one restriction for each relation");
+                const Relation& relation = theory_.relations[*one];
+                refuse(axiom,
+                       what + ", since " + owl::local_name(relation.iri) + " links one target and " +
+                           (relation.arity == 2 ? "one reference" : "two references"),
+                       "ask for no more of either");
+            }
             for (const FormulaId formula : classes) {
                 Formula marker;  // so that a compiled layer of regions has a literal for it
                 marker.kind = Formula::Kind::parts;

@@ -66,6 +66,7 @@ public:
         look_at_numbers();
         look_at_relations();
         look_at_waiting_names();
+        look_at_own_sides();
         look_at_open_restrictions();
         look_at_declarations();
         std::ranges::stable_sort(findings_, {}, [](const Finding& f) {
@@ -426,6 +427,48 @@ private:
         }
     }
 
+    /// Whether a test of a relation speaks of the side on which the part itself is: what it says is said of the part.
+    [[nodiscard]] bool speaks_of_own_side(const NodeTest& test, const RelationalFeature& feature) const {
+        if (feature.of_target) {
+            if (test.kind == NodeTest::Kind::target) return true;
+        } else if (test.kind == NodeTest::Kind::references) {
+            for (std::size_t r = 0; r < domain_.relations.size(); ++r)
+                if (domain_.relations[r].arity > 2 && may_pass(feature.test, domain_.relations, r)) return false;
+            return true;
+        }
+        return std::ranges::any_of(test.operands,
+                                   [&](const NodeTest& operand) { return speaks_of_own_side(operand, feature); });
+    }
+
+    /// The relations that a formula itself asks for, not the names in it.
+    void collect_direct(FormulaId id, std::set<int>& relations) const {
+        const Formula& formula = theory_.formulas[id];
+        for (const FormulaId operand : formula.operands) collect_direct(operand, relations);
+        const int relation = formula.index - static_cast<int>(theory_.ranges.size() + theory_.numbers.size());
+        if (formula.kind == Formula::Kind::choice && relation >= 0) relations.insert(relation);
+    }
+
+    /// Relations whose other side is never named: "isTargetRegion some (LongerThan and inverse isTargetRegion some
+    /// Leg)".
+    void look_at_own_sides() {
+        for (const NamedConcept& named : theory_.concepts) {
+            if (named.level != Level::region || named.definition < 0) continue;
+            std::set<int> relations;
+            collect_direct(named.definition, relations);
+            for (const int relation : relations) {
+                const RelationalFeature& feature = theory_.relational[relation];
+                if (!speaks_of_own_side(feature.test, feature)) continue;
+                const std::string own = feature.of_target ? "isTargetRegion" : "isReferenceRegion";
+                const std::string other = feature.of_target ? "isReferenceRegion" : "isTargetRegion";
+                add(FindingKind::own_side, true, {named.iri}, place_of(named.iri),
+                    "in \"" + to_manchester(*feature.as_written) + "\" inverse (" + own +
+                        ") is the part itself once more, so nothing is said of what it lies to",
+                    "write inverse (" + other +
+                        ") for the other side, and what the part itself is outside of the relation");
+            }
+        }
+    }
+
     void look_at_declarations() {
         const owl::Ontology plain = plain_ontology(domain_.ontology);
         const std::map<Iri, Level> levels = find_levels(plain, domain_.ranges);
@@ -469,7 +512,7 @@ std::string to_text(FindingKind kind) {
     static const char* const words[]{"refused",           "contradiction", "unsatisfiable", "unprovable",
                                      "indistinguishable", "unanswerable",  "unknown term",  "left aside",
                                      "universal",         "gap",           "unused",        "uncounted",
-                                     "overlapping"};
+                                     "overlapping",       "own side"};
     return words[static_cast<std::size_t>(kind)];
 }
 

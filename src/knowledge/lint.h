@@ -22,6 +22,7 @@ enum class FindingKind {
     unused,             ///< no axiom asks for a concept, a value or a property
     uncounted,          ///< the configurations of a layer are too many to count
     overlapping,        ///< something may be a member of several concepts
+    own_side,           ///< a relation that names the side on which the part itself is, and not the other one
 };
 
 /// "unsatisfiable", "unknown term" …

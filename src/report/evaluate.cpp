@@ -74,7 +74,7 @@ Evaluation evaluate_labels(const std::vector<std::string>& labels, const std::ve
     std::int64_t right = 0;
     double right_area = 0, whole = 0, squares = 0;
     for (std::size_t i = 0; i < truth.size(); ++i) {
-        if (!is_compared(truth[i])) continue;
+        if (!is_compared(truth[i]) || !(areas[i] > 0)) continue;
         const bool agrees = labels[i] == truth[i];
         ++evaluation.faces;
         right += agrees;

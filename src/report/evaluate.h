@@ -20,8 +20,8 @@ struct Evaluation {
     std::int64_t faces = 0;  ///< compared
 };
 
-/// Compares labels per input face. `areas` has one entry per input face. A truth of "" or "-" is not compared.
-/// Throws UsageError when the three differ in length.
+/// Compares labels per input face. `areas` has one entry per input face. A truth of "" or "-" is not compared,
+/// nor is a face without area. Throws UsageError when the three differ in length.
 [[nodiscard]] Evaluation evaluate_labels(const std::vector<std::string>& labels, const std::vector<std::string>& truth,
                                          const std::vector<double>& areas);
 

@@ -170,6 +170,47 @@ TEST(Check, NamesThatWaitForEachOther) {
     EXPECT_EQ(fine.exit_code, 0) << fine.out;
 }
 
+TEST(Check, SidesOfARelation) {
+    const TemporaryFolder folder;
+    const auto check = [&](const std::string& relation) {
+        folder.write("pots.omn",
+                     "Prefix: : <http://x.org/p#>\nPrefix: core: <https://w3id.org/partonomy/core#>\n"
+                     "Ontology: <http://x.org/p>\n  Import: <https://w3id.org/partonomy/core>\n"
+                     "Class: :Pot\n  SubClassOf: core:Region\n  EquivalentTo: core:Region and (core:hasShape some "
+                     "core:Cube)\n"
+                     "Class: :Grip\n  SubClassOf: core:Region\n  EquivalentTo: core:Region and (core:hasShape some "
+                     "core:Stick) and (" +
+                         relation +
+                         ")\n"
+                         "Class: :Jar\n  SubClassOf: core:Object\n  EquivalentTo: core:Object and (core:hasPart some "
+                         ":Grip) and (core:hasPart some :Pot)\n");
+        return run_partonomy({"check", "pots.omn"}, folder.path());
+    };
+    const auto expect = [&](const std::string& relation, int exit_code, const std::string& told) {
+        const ProgramResult result = check(relation);
+        EXPECT_EQ(result.exit_code, exit_code) << relation << "\n" << result.out;
+        EXPECT_NE(result.out.find(told), std::string::npos) << relation << "\n" << result.out;
+    };
+    for (const std::string own : {"isTargetRegion", "isReferenceRegion"}) {
+        const std::string other = own == "isTargetRegion" ? "isReferenceRegion" : "isTargetRegion";
+        const auto related = [&](const std::string& to) {
+            return "core:" + own + " some (core:LongerThan and (" + to + "))";
+        };
+        expect(related("inverse (core:" + other + ") some :Pot"), 0, "nothing wrong found");
+        expect(related("inverse (core:" + own + ") some :Pot"), 1,
+               "inverse (" + own + ") is the part itself once more");
+        expect(related("core:" + other + " some :Pot"), 1, "write inverse (" + other + ") some Pot");
+    }
+    const auto between = [](int count) {
+        return "core:isTargetRegion some (core:Between and (inverse (core:isReferenceRegion) min " +
+               std::to_string(count) + " :Pot))";
+    };
+    expect(between(2), 0, "nothing wrong found");
+    expect(between(3), 1, "since Between links one target and two references; ask for no more of either");
+    expect("core:isReferenceRegion some (core:Between and (inverse (core:isReferenceRegion) some :Pot))", 0,
+           "nothing wrong found");  // the other reference, which may be a Pot
+}
+
 TEST(Check, ARelationWithoutAnAlgorithmHasALineAndARowInTheCatalogue) {
     const TemporaryFolder folder;
     folder.write("o.omn",

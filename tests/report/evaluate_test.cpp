@@ -35,9 +35,10 @@ TEST(Evaluate, PerfectEmptyAndSingle) {
     EXPECT_EQ(evaluate_labels({}, {}, {}).faces, 0);
     EXPECT_EQ(evaluate_labels({"a"}, {""}, {1}).faces, 0);
     EXPECT_EQ(evaluate_labels({"b"}, {"a"}, {1}).rand_index_error, 0);
-    const Evaluation no_area = evaluate_labels({"a", "b"}, {"a", "a"}, {0, 0});
-    EXPECT_EQ(no_area.face_accuracy, 0.5);
-    EXPECT_EQ(no_area.area_accuracy, 0);
+    EXPECT_EQ(evaluate_labels({"a", "b"}, {"a", "a"}, {0, 0}).faces, 0);
+    const Evaluation some_without_area = evaluate_labels({"a", "", "b"}, {"a", "a", "a"}, {1, 0, 1});
+    EXPECT_EQ(some_without_area.faces, 2);
+    EXPECT_EQ(some_without_area.face_accuracy, 0.5);
     EXPECT_THROW((void)evaluate_labels({"a"}, {"a", "b"}, {1, 2}), UsageError);
     EXPECT_THROW((void)evaluate_labels({"a"}, {"a"}, {}), UsageError);
 }
