@@ -60,6 +60,7 @@ bool is_spelled_alike(const std::string& a, const std::string& b) {
 
 std::string did_you_mean(const std::vector<std::string>& words, std::span<const std::string> names, Nearness nearness) {
     constexpr std::size_t most = 4, longest = 150;  // names that are told; letters that are looked at
+    std::size_t steps = 200'000'000;  // a tenth of a second: a file may declare thousands of long prefixes
     std::vector<std::string> nearest;
     std::size_t least = std::numeric_limits<std::size_t>::max();
     for (const std::string& word : words) {
@@ -67,6 +68,9 @@ std::string did_you_mean(const std::vector<std::string>& words, std::span<const 
         const std::size_t limit =
             nearness == Nearness::any ? std::numeric_limits<std::size_t>::max() : 1 + word.size() / 3;
         for (const std::string& name : names) {
+            const std::size_t needed = word.size() * word.size() * name.size();
+            if (name.size() > longest || needed > steps) continue;
+            steps -= needed;
             const std::size_t distance = is_spelled_alike(word, name) ? 0 : distance_in_words(word, name);
             if (distance > limit || distance > least) continue;
             if (distance < least) nearest.clear();

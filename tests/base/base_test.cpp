@@ -79,6 +79,9 @@ TEST(Spelling, DidYouMean) {
     EXPECT_NE(did_you_mean({"weight of it all"}, names, Nearness::any), "");
     EXPECT_EQ(did_you_mean({""}, names), "");
     EXPECT_EQ(did_you_mean({"x"}, {}), "");
+    std::vector<std::string> many{std::string(100, 'a') + "b", std::string(1'000'000, 'a')};
+    many.resize(50'000, std::string(100, 'b'));  // all of them would take minutes
+    EXPECT_EQ(did_you_mean({std::string(101, 'a')}, many), "; did you mean \"" + many.front() + "\"?");
     EXPECT_TRUE(is_spelled_alike("length-share", "Length_share"));
     EXPECT_FALSE(is_spelled_alike("length", "lengths"));
 }
