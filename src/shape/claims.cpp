@@ -184,22 +184,7 @@ bool points_to(const Surface& s, const Core& stick, const Core& board) {
     return way.norm() > stick.thickness && std::abs(way.dot(stick.axis)) > 0.8 * way.norm();
 }
 
-/// Whether a part is a stub between the planes of a board, hardly longer than thick: what is left between a hole and
-/// the corner of a plate, or a tab.
-bool is_stub_between(const Surface& s, const Core& part, const Frame& plane) {
-    constexpr double nearly_all = 0.98, beyond = 1.02, longest = 3;
-    double within = 0, low = std::numeric_limits<double>::infinity(), high = -low;
-    for (const std::int32_t i : part.triangles) {
-        const Vec3& place = s.geometry.barycentres[i];
-        if (std::abs((place - plane.middle).dot(plane.normal)) < beyond * plane.half) within += s.geometry.areas[i];
-        low = std::min(low, place.dot(part.axis));
-        high = std::max(high, place.dot(part.axis));
-    }
-    return within > nearly_all * part.area && high - low < longest * part.thickness;
-}
-
-/// Frees parts that are but the thick rim of a board: they lie between its walls, along it, and do not end at it; and
-/// stubs of it.
+/// Frees parts that are but the thick rim of a board: they lie between its walls, along it, and do not end at it.
 void absorb_rims(const Surface& s, const std::vector<Board>& boards, Parts& parts) {
     for (const auto& [b, fit] : boards) {
         Core& board = parts.parts[b];
@@ -216,9 +201,8 @@ void absorb_rims(const Surface& s, const std::vector<Board>& boards, Parts& part
                 if (std::abs(u - plane.half) < 0.1 * plane.half) flush += s.geometry.areas[i];
             }
             if (within < 0.8 * rim.area || std::abs(rim.axis.dot(plane.normal)) > 0.4) continue;
-            const double near = share_near(s, rim.triangles, board, 0.75 * (board.thickness + rim.thickness));
-            const bool is_stub = near > 0 && is_stub_between(s, rim, plane);
-            if (!is_stub && (near < 0.4 || (flush < 0.7 * rim.area && points_to(s, rim, board)))) continue;
+            if (share_near(s, rim.triangles, board, 0.75 * (board.thickness + rim.thickness)) < 0.4) continue;
+            if (flush < 0.7 * rim.area && points_to(s, rim, board)) continue;
             for (const std::int32_t i : rim.triangles) parts.part_of[i] = -1;
             rim.triangles.clear();
             rim.area = 0;
