@@ -364,16 +364,16 @@ private:
         }
     }
 
-    /// What a definition speaks of: relations to others, and names; through the names that are defined, too.
+    /// What a definition speaks of: relations to others, and names; and what those names speak of that are defined.
     struct Rests {
         std::set<int> names, relations;
     };
-    void collect(FormulaId id, Rests& rests) const {
+    void collect(FormulaId id, Rests& rests, bool into_names = true) const {
         const Formula& formula = theory_.formulas[id];
-        for (const FormulaId operand : formula.operands) collect(operand, rests);
+        for (const FormulaId operand : formula.operands) collect(operand, rests, into_names);
         const int relation = formula.index - static_cast<int>(theory_.ranges.size() + theory_.numbers.size());
         if (formula.kind == Formula::Kind::choice && relation >= 0) rests.relations.insert(relation);
-        if (formula.kind != Formula::Kind::named || !rests.names.insert(formula.index).second) return;
+        if (formula.kind != Formula::Kind::named || !rests.names.insert(formula.index).second || !into_names) return;
         if (const FormulaId definition = theory_.concepts[formula.index].definition; definition >= 0)
             collect(definition, rests);
     }
@@ -440,28 +440,21 @@ private:
                                    [&](const NodeTest& operand) { return speaks_of_own_side(operand, feature); });
     }
 
-    /// The relations that a formula itself asks for, not the names in it.
-    void collect_direct(FormulaId id, std::set<int>& relations) const {
-        const Formula& formula = theory_.formulas[id];
-        for (const FormulaId operand : formula.operands) collect_direct(operand, relations);
-        const int relation = formula.index - static_cast<int>(theory_.ranges.size() + theory_.numbers.size());
-        if (formula.kind == Formula::Kind::choice && relation >= 0) relations.insert(relation);
-    }
-
     /// Relations whose other side is never named: "isTargetRegion some (LongerThan and inverse isTargetRegion some
     /// Leg)".
     void look_at_own_sides() {
+        if (theory_.relational.empty()) return;
         for (const NamedConcept& named : theory_.concepts) {
             if (named.level != Level::region || named.definition < 0) continue;
-            std::set<int> relations;
-            collect_direct(named.definition, relations);
-            for (const int relation : relations) {
+            Rests own;
+            collect(named.definition, own, false);
+            for (const int relation : own.relations) {
                 const RelationalFeature& feature = theory_.relational[relation];
                 if (!speaks_of_own_side(feature.test, feature)) continue;
-                const std::string own = feature.of_target ? "isTargetRegion" : "isReferenceRegion";
+                const std::string side = feature.of_target ? "isTargetRegion" : "isReferenceRegion";
                 const std::string other = feature.of_target ? "isReferenceRegion" : "isTargetRegion";
                 add(FindingKind::own_side, true, {named.iri}, place_of(named.iri),
-                    "in \"" + to_manchester(*feature.as_written) + "\" inverse (" + own +
+                    "in \"" + to_manchester(*feature.as_written) + "\" inverse (" + side +
                         ") is the part itself once more, so nothing is said of what it lies to",
                     "write inverse (" + other +
                         ") for the other side, and what the part itself is outside of the relation");

@@ -92,20 +92,7 @@ Core part_of_box(const Boxed& boxed) {
 }  // namespace
 
 void part_protrusions(const Surface& s, Parts& parts) {
-    const std::size_t count = parts.parts.size();
-    const Groups members = group_members(parts.part_of, count, s.threads);
-    std::vector<Boxed> boxed(count);
-    const auto for_each_of = [&](std::size_t things, const auto& work) {
-        for_each_range(
-            things, s.threads,
-            [&](std::size_t begin, std::size_t end) {
-                for (std::size_t k = begin; k < end; ++k) work(k);
-            },
-            1);
-    };
-    for_each_of(count, [&](std::size_t k) {
-        if (!members[k].empty()) boxed[k] = box_of_part(s, members[k]);
-    });
+    const std::vector<Boxed> boxed = boxes_of_parts(s, parts.part_of, parts.parts.size());
     const double limit = reach_of_noise(boxed);
     std::vector<char> stands_out(s.count(), 0);
     for_each_range(s.count(), s.threads, [&](std::size_t begin, std::size_t end) {
@@ -118,7 +105,7 @@ void part_protrusions(const Surface& s, Parts& parts) {
     });
     const Groups groups = group_members(pieces.piece_of, pieces.size(), s.threads);
     std::vector<std::optional<Core>> found(groups.size());
-    for_each_of(groups.size(), [&](std::size_t k) {
+    const auto look_at = [&](std::size_t k) {
         const Boxed& part = boxed[parts.part_of[groups[k].front()]];
         double area = 0;
         for (const std::int32_t i : groups[k]) area += s.geometry.areas[i];
@@ -127,7 +114,13 @@ void part_protrusions(const Surface& s, Parts& parts) {
         if (accounts_for(piece, limit) &&
             turned_share(s, parts.part_of, pieces.piece_of, groups[k], part.box, piece.box, limit) > least_turned)
             found[k] = part_of_box(piece);
-    });
+    };
+    for_each_range(
+        groups.size(), s.threads,
+        [&](std::size_t begin, std::size_t end) {
+            for (std::size_t k = begin; k < end; ++k) look_at(k);
+        },
+        1);
     for (std::size_t k = 0; k < groups.size(); ++k) {
         if (!found[k]) continue;
         const auto number = static_cast<std::int32_t>(parts.parts.size());

@@ -57,31 +57,22 @@ using Pair = std::pair<std::int32_t, std::int32_t>;
 }  // namespace
 
 void rejoin_torn_parts(const Surface& s, Parts& parts) {
-    const std::size_t count = parts.parts.size();
     std::set<Pair> borders = meeting_groups(s.adjacency, parts.part_of, s.threads);
     if (borders.empty()) return;
-    const Groups members = group_members(parts.part_of, count, s.threads);
-    std::vector<Boxed> boxed(count);
-    const auto for_each_of = [&](std::size_t things, const auto& work) {
-        for_each_range(
-            things, s.threads,
-            [&](std::size_t begin, std::size_t end) {
-                for (std::size_t k = begin; k < end; ++k) work(k);
-            },
-            1);
-    };
-    for_each_of(count, [&](std::size_t k) {
-        if (!members[k].empty()) boxed[k] = box_of_part(s, members[k]);
-    });
+    std::vector<Boxed> boxed = boxes_of_parts(s, parts.part_of, parts.parts.size());
     const double limit = reach_of_noise(boxed);
     std::map<Pair, Union> unions;
     for (;;) {
         std::vector<Pair> untried;
         std::ranges::copy_if(borders, std::back_inserter(untried), [&](Pair pair) { return !unions.contains(pair); });
         std::vector<Union> tried(untried.size());
-        for_each_of(untried.size(), [&](std::size_t k) {
-            tried[k] = join(s, boxed[untried[k].first], boxed[untried[k].second], limit);
-        });
+        for_each_range(
+            untried.size(), s.threads,
+            [&](std::size_t begin, std::size_t end) {
+                for (std::size_t k = begin; k < end; ++k)
+                    tried[k] = join(s, boxed[untried[k].first], boxed[untried[k].second], limit);
+            },
+            1);
         for (std::size_t k = 0; k < untried.size(); ++k) unions.emplace(untried[k], std::move(tried[k]));
         const auto best = std::ranges::min_element(unions, {}, [](const auto& entry) { return entry.second.beyond; });
         if (best == unions.end() || best->second.beyond > some_of_it) return;

@@ -10,6 +10,8 @@
 #include <numbers>
 
 #include "base/quantile.h"
+#include "base/ranges.h"
+#include "shape/pieces.h"
 
 namespace partonomy {
 
@@ -121,6 +123,19 @@ Boxed box_of_part(const Surface& s, std::span<const std::int32_t> triangles) {
     double area = 0;
     for (const std::int32_t t : triangles) area += s.geometry.areas[t];
     return put_in_box(s, thin_out(triangles), area);
+}
+
+std::vector<Boxed> boxes_of_parts(const Surface& s, std::span<const std::int32_t> part_of, std::size_t parts) {
+    const Groups members = group_members(part_of, parts, s.threads);
+    std::vector<Boxed> boxed(parts);
+    for_each_range(
+        parts, s.threads,
+        [&](std::size_t begin, std::size_t end) {
+            for (std::size_t k = begin; k < end; ++k)
+                if (!members[k].empty()) boxed[k] = box_of_part(s, members[k]);
+        },
+        1);
+    return boxed;
 }
 
 Boxed put_in_one_box(const Surface& s, const Boxed& a, const Boxed& b) {

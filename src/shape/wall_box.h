@@ -36,6 +36,10 @@ struct Boxed {
 [[nodiscard]] Boxed put_in_box(const Surface& surface, std::vector<std::int32_t> some, double area);
 /// The same for all triangles of a part.
 [[nodiscard]] Boxed box_of_part(const Surface& surface, std::span<const std::int32_t> triangles);
+/// The boxes of all parts, by number; `part_of` tells the part of each triangle, -1 for none. The same on any number of
+/// threads.
+[[nodiscard]] std::vector<Boxed> boxes_of_parts(const Surface& surface, std::span<const std::int32_t> part_of,
+                                                std::size_t parts);
 /// Two parts as if they were one; its triangles are as dense in one as in the other.
 [[nodiscard]] Boxed put_in_one_box(const Surface& surface, const Boxed& a, const Boxed& b);
 
