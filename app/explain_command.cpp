@@ -151,6 +151,29 @@ void print_list(const char* title, const json& lines) {
     for (const json& line : lines) fmt::print("    {}\n", line.is_string() ? line.get<std::string>() : line.dump());
 }
 
+/// What a rule rests on, and then what makes the object a case of it.
+void print_answers(const json& diagnosis) {
+    const json none = json::array();
+    const json& answers = diagnosis.contains("answers") ? diagnosis.at("answers") : none;
+    const json& given = diagnosis.contains("given") ? diagnosis.at("given").at("concepts") : none;
+    const std::size_t count = given.empty() ? 0 : diagnosis.at("given").at("answers").get<std::size_t>();
+    const auto end = answers.end() - static_cast<std::ptrdiff_t>(std::min(count, answers.size()));
+    print_list("answers that lead to it", json(std::vector<json>(answers.begin(), end)));
+    std::vector<std::string> names;
+    for (const json& each : given) names.push_back(with_article(each.get<std::string>()));
+    print_list(fmt::format("answers by which {} is {}", "it", fmt::join(names, " and ")).c_str(),
+               json(std::vector<json>(end, answers.end())));
+}
+
+/// The parts that come nearest to one that is missing.
+void print_near_parts(const json& diagnosis) {
+    for (const json& near : diagnosis.value("nearest", json::array())) {
+        fmt::print("  part {} would be {}, but for\n", near.at("part").get<int>(),
+                   with_article(near.at("concept").get<std::string>()));
+        for (const json& answer : near.at("refused_by")) fmt::print("    {}\n", answer.get<std::string>());
+    }
+}
+
 /// Every minimal explanation of every diagnosis, from the answers that the annotation keeps.
 void print_all_explanations(const Arguments& arguments, const json& annotation) {
     const knowledge::Domain domain = load_same_ontology(arguments.ontology, annotation);
@@ -174,8 +197,7 @@ void print_all_explanations(const Arguments& arguments, const json& annotation) 
             fmt::print("{}: explanation {} of {}{}\n", name, i + 1, found.sets.size(),
                        found.is_complete ? "" : " or more");
             for (const std::size_t a : found.sets[i].answers)
-                fmt::print("    {}\n",
-                           answer_in_words(domain, knowledge.answers[a], answers[a].score, answers[a].accepted));
+                fmt::print("    {}\n", answer_in_words(domain, knowledge.answers[a], answers[a]));
             if (found.sets[i].needs_completeness) fmt::print("    {}\n", no_other_parts);
             for (const std::size_t a : found.sets[i].axioms)
                 fmt::print("    {}\n", axiom_in_words(domain.ontology.axioms[a]));
@@ -222,7 +244,8 @@ int run_explain(const Arguments& arguments) {
             fmt::print("impossible: {}, because of {}\n", diagnosis.at("concept").get<std::string>(),
                        parts.empty() ? "the object as a whole" : fmt::format("part {}", fmt::join(parts, ", ")));
             print_in_short(annotation, diagnosis);
-            if (diagnosis.contains("answers")) print_list("answers that lead to it", diagnosis.at("answers"));
+            print_near_parts(diagnosis);
+            print_answers(diagnosis);
             print_list("axioms that lead to it", diagnosis.at("axioms"));
             print_list("what would repair it", diagnosis.at("corrections"));
         }

@@ -62,7 +62,7 @@ std::vector<LearnedAnswer> answers_of(const json& annotation) {
     for (const json& each : annotation.at("knowledge").at("answers"))
         answers.push_back({each.at("part").get<int>(), each.at("feature").get<std::string>(),
                            each.at("value").get<std::string>(), each.at("yes").get<bool>(),
-                           each.at("score").get<double>(), each.value("accepted", false)});
+                           each.at("score").get<double>(), each.value("accepted", false), each.value("measured", "")});
     return answers;
 }
 

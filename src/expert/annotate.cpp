@@ -21,7 +21,6 @@
 
 #include "base/errors.h"
 #include "expert/accepted_answers.h"
-#include "expert/in_numbers.h"
 #include "expert/nearest_name.h"
 #include "expert/open_questions.h"
 #include "knowledge/near_miss.h"
@@ -164,7 +163,7 @@ void label_faces(const Object& object, Annotation& annotation) {
     }
 }
 
-std::vector<LearnedAnswer> learned_answers(const Session& session, const knowledge::Knowledge& knowledge) {
+std::vector<LearnedAnswer> learned_answers(Session& session, const knowledge::Knowledge& knowledge) {
     std::vector<LearnedAnswer> answers;
     for (std::size_t i = 0; i < knowledge.answers.size(); ++i) {
         const knowledge::Answer& answer = knowledge.answers[i];
@@ -173,9 +172,7 @@ std::vector<LearnedAnswer> learned_answers(const Session& session, const knowled
         answers.push_back({answer.region + 1, feature_name(variable),
                            variable.values[static_cast<std::size_t>(answer.question.value)], answer.yes,
                            session.answer_scores()[i], session.is_accepted(answer)});
-        if (session.is_told_in_numbers() && !answers.back().accepted)
-            answers.back().measured = is_a_in_numbers(session.domain(), session.catalogue(), answer.question,
-                                                      session.object(), session.measurements(answer.region));
+        if (session.is_told_in_numbers()) answers.back().measured = session.in_numbers(answer);
     }
     return answers;
 }
@@ -194,14 +191,8 @@ void tell_nearest_names(const Session& session, const knowledge::Knowledge& know
         const auto nearest = nearest_name(session, knowledge, part.id - 1, names);
         if (!nearest) continue;
         part.nearest = owl::local_name(nearest->iri);
-        for (const std::size_t i : nearest->refused_by) {
-            const knowledge::Answer& answer = knowledge.answers[i];
-            const std::string& measured = annotation.answers[i].measured;
-            part.refusals.push_back(fmt::format(
-                "{}: {} ({}){}", to_text(domain.regions, answer.question, domain), answer.yes ? "yes" : "no",
-                session.is_accepted(answer) ? "a person said so" : fmt::format("{:.2f}", session.answer_scores()[i]),
-                measured.empty() ? "" : " [" + measured + "]"));
-        }
+        for (const std::size_t i : nearest->refused_by)
+            part.refusals.push_back(what_was_answered(domain, knowledge.answers[i], annotation.answers[i]));
     }
 }
 
@@ -489,7 +480,7 @@ Annotation annotate(const Domain& domain, const Catalogue& catalogue, const Obje
     tell_nearest_names(session, knowledge, annotation);
     annotation.is_complete = knowledge.complete;
     for (const auto& [a, b] : knowledge.connected) annotation.connected.emplace_back(a + 1, b + 1);
-    if (options.diagnose) annotation.diagnosis = diagnose(session, known);
+    if (options.diagnose) annotation.diagnosis = diagnose(session, known, annotation.answers);
     annotation.consistent = !known.contradiction && known.diagnoses.empty() && annotation.diagnosis.empty();
     annotation.open_questions = open_questions(session, knowledge, namings, known, assumed, perhaps);
     if (!session.trace.empty() && !annotation.classes.empty())

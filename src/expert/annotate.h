@@ -23,11 +23,17 @@ struct AnnotateOptions {
                                   const AnnotateOptions& options = {});
 
 /// Why an object is incompatible, one diagnosis for each incompatible concept that holds, or one for a contradiction.
-[[nodiscard]] std::vector<Diagnosis> diagnose(const Session& session, const knowledge::Conclusions& known);
+/// `learned`: the session's answers as the annotation keeps them.
+[[nodiscard]] std::vector<Diagnosis> diagnose(const Session& session, const knowledge::Conclusions& known,
+                                              const std::vector<LearnedAnswer>& learned);
 
-/// "part 3: is it a board: yes (0.98)", or "(a person said so)" when it is accepted.
+/// "part 3: is it a board: yes (0.98) [l1/l2 5.9 (wanted >= 2)]", or "(a person said so)" when that is where it is
+/// from.
 [[nodiscard]] std::string answer_in_words(const knowledge::Domain& domain, const knowledge::Answer& answer,
-                                          double score, bool accepted);
+                                          const LearnedAnswer& learned);
+/// The same without the part.
+[[nodiscard]] std::string what_was_answered(const knowledge::Domain& domain, const knowledge::Answer& answer,
+                                            const LearnedAnswer& learned);
 /// "Seat EquivalentTo: … (furniture.ttl:31)".
 [[nodiscard]] std::string axiom_in_words(const owl::Axiom& axiom);
 /// What an explanation that rests on completeness says.

@@ -50,10 +50,22 @@ struct TraceEntry {
 
 /// Why the object is incompatible, and the cheapest way out.
 struct Diagnosis {
-    std::string concept_name;              ///< local name of the incompatible concept, or "contradiction"
-    std::vector<int> parts;                ///< ids to blame
-    std::vector<std::string> answers;      ///< of the minimal explanation, in words
-    std::vector<std::string> axioms;       ///< of the minimal explanation: Manchester syntax, file and line
+    std::string concept_name;  ///< local name of the incompatible concept, or "contradiction"
+    std::vector<int> parts;    ///< ids to blame
+    /// Of the minimal explanation, in words: first those that this rule rests on, then `answers_of_given`, by which the
+    /// object, or the part, is what the rule is a case of.
+    std::vector<std::string> answers;
+    std::size_t answers_of_given = 0;
+    std::vector<std::string> given = {};  ///< local names of what it is a case of: "Wheelbarrow"
+    /// Of the minimal explanation: Manchester syntax, file and line; the definition first, then those of its names.
+    std::vector<std::string> axioms;
+    /// Where the rule misses parts of a name: which parts come nearest to it, and the answers that refuse it, in words.
+    struct NearPart {
+        int part = 0;  ///< id
+        std::string concept_name;
+        std::vector<std::string> refused_by;
+    };
+    std::vector<NearPart> nearest = {};
     std::vector<std::string> corrections;  ///< in words, cheapest first; one may change several answers
     /// The same as answers to turn round (indices into Annotation::answers), or as parts to add or to take away; and
     /// what that costs.
@@ -88,7 +100,7 @@ struct LearnedAnswer {
     bool yes = true;
     double score = 1;           ///< [0.5, 1]
     bool accepted = false;      ///< a person said so
-    std::string measured = {};  ///< as in TraceEntry
+    std::string measured = {};  ///< what it rests on, as the trace words it; empty in objects of very many parts
 };
 
 /// All that is known about one object at the end; every output file is written from this one value.

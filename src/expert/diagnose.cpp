@@ -1,6 +1,11 @@
 /* Diagnoses (paper §3.2.4, §5.1.2, Fig. 14): for each incompatible concept that is entailed of the object or of a part,
  * who is to blame, a minimal set of answers and axioms that entail it, and the cheapest ways to mend it
- * (rank_corrections.cpp). */
+ * (rank_corrections.cpp).
+ *
+ * A minimal set may be long, and most of it is why a wheelbarrow with legs too long is a wheelbarrow. What the rule
+ * itself rests on is told first: the answers about the parts to blame, and all that are not needed for what the rule is
+ * a case of, which a second minimal explanation within the first tells. A rule about parts that are missing blames
+ * none: the parts that come nearest to these are named instead, with what refuses them. */
 
 #include <fmt/format.h>
 
@@ -12,8 +17,10 @@
 #include "base/errors.h"
 #include "base/spelling.h"
 #include "expert/annotate.h"
+#include "expert/nearest_name.h"
 #include "expert/rank_corrections.h"
 #include "knowledge/counted_parts.h"
+#include "owl/signature.h"
 
 namespace partonomy {
 namespace {
@@ -28,10 +35,20 @@ constexpr int most_parts_explained = 500;  // beyond, a minimal explanation take
 
 const Iri incompatible = std::string(owl::core_prefix) + "Incompatible";
 
+constexpr std::size_t most_near = 3;  // parts that come nearest to one that is missing
+
+bool names(const owl::ClassPointer& class_, const Iri& iri) {
+    return class_->kind == owl::ClassKind::named && class_->iri == iri;
+}
+
 class Diagnoser {
 public:
-    Diagnoser(const Session& session, const Conclusions& known)
-        : session_(session), domain_(session.domain()), knowledge_(session.knowledge()), corrector_(session, known) {}
+    Diagnoser(const Session& session, const Conclusions& known, const std::vector<LearnedAnswer>& learned)
+        : session_(session),
+          domain_(session.domain()),
+          knowledge_(session.knowledge()),
+          corrector_(session, known),
+          learned_(learned) {}
 
     /// An empty IRI: why the answers contradict the axioms. `region` for a concept of regions, else -1.
     [[nodiscard]] Diagnosis diagnose(const Iri& iri, int region) const {
@@ -49,7 +66,7 @@ public:
         knowledge::Explanation why;
         try {
             why = explain(domain_, knowledge_, iri, region);
-            tell(why, diagnosis);
+            tell(why, iri, region, diagnosis);
         } catch (const OntologyError& limit) {
             diagnosis.answers.emplace_back(limit.what());
         }
@@ -63,13 +80,91 @@ public:
     }
 
 private:
-    void tell(const knowledge::Explanation& explanation, Diagnosis& diagnosis) const {
-        for (const std::size_t i : explanation.answers) diagnosis.answers.push_back(in_words(i));
-        if (explanation.needs_completeness) diagnosis.answers.emplace_back(no_other_parts);
-        for (const std::size_t i : explanation.axioms)
+    void tell(const knowledge::Explanation& explanation, const Iri& iri, int region, Diagnosis& diagnosis) const {
+        std::vector<std::size_t> answers = explanation.answers;
+        const std::vector<std::size_t> of_given = answers_of_given(explanation, iri, region, diagnosis);
+        std::ranges::stable_partition(answers, [&](std::size_t i) { return !std::ranges::binary_search(of_given, i); });
+        for (const std::size_t i : answers) diagnosis.answers.push_back(in_words(i));
+        if (explanation.needs_completeness)
+            diagnosis.answers.insert(diagnosis.answers.end() - static_cast<std::ptrdiff_t>(of_given.size()),
+                                     no_other_parts);
+        diagnosis.answers_of_given = of_given.size();
+        for (const std::size_t i : outward_from(iri, explanation.axioms))
             diagnosis.axioms.push_back(axiom_in_words(domain_.ontology.axioms[i]));
         if (!explanation.is_minimal)
             diagnosis.answers.emplace_back("perhaps not all of this is needed: a limit of steps was reached");
+    }
+
+    /// The classes that the definition begins with: what it is a case of.
+    [[nodiscard]] std::vector<Iri> given(const Iri& iri) const {
+        std::vector<Iri> found;
+        for (const owl::Axiom& axiom : domain_.ontology.axioms) {
+            if (axiom.kind != owl::AxiomKind::equivalent_classes ||
+                std::ranges::none_of(axiom.classes, [&](const auto& each) { return names(each, iri); }))
+                continue;
+            for (const owl::ClassPointer& each : axiom.classes)
+                if (each->kind == owl::ClassKind::intersection_of)
+                    for (const owl::ClassPointer& operand : each->operands)
+                        if (operand->kind == owl::ClassKind::named && !operand->iri.starts_with(owl::core_prefix))
+                            found.push_back(operand->iri);
+        }
+        return found;
+    }
+
+    /// Answers that entail a class, the fewer the better: of those if they do, else of all.
+    [[nodiscard]] std::vector<std::size_t> needed_for(const Iri& class_, int region,
+                                                      const knowledge::Explanation& why) const {
+        Knowledge kept = knowledge_;
+        kept.complete = why.needs_completeness;
+        kept.answers.clear();
+        for (const std::size_t i : why.answers) kept.answers.push_back(knowledge_.answers[i]);
+        try {
+            std::vector<std::size_t> needed = explain(domain_, kept, class_, region).answers;
+            for (std::size_t& i : needed) i = why.answers[i];
+            return needed;
+        } catch (const std::invalid_argument&) {  // composite parts may be others without the answers that are left out
+            return explain(domain_, knowledge_, class_, region).answers;
+        }
+    }
+
+    /// Of the explanation's answers, ascending, those that only make it what the rule is a case of: not about parts to
+    /// blame, and needed for that. None where nothing else would be left.
+    [[nodiscard]] std::vector<std::size_t> answers_of_given(const knowledge::Explanation& why, const Iri& iri,
+                                                            int region, Diagnosis& diagnosis) const {
+        const std::vector<Iri> classes = iri.empty() ? std::vector<Iri>{} : given(iri);
+        std::set<std::size_t> needed;
+        for (const Iri& each : classes)
+            for (const std::size_t i : needed_for(each, region, why))
+                if (std::ranges::find(why.answers, i) != why.answers.end()) needed.insert(i);
+        std::erase_if(needed, [&](std::size_t i) {
+            return region < 0 &&
+                   std::ranges::find(diagnosis.parts, knowledge_.answers[i].region + 1) != diagnosis.parts.end();
+        });
+        if (needed.empty() || needed.size() == why.answers.size()) return {};
+        for (const Iri& each : classes) diagnosis.given.push_back(owl::local_name(each));
+        return {needed.begin(), needed.end()};
+    }
+
+    /// Axioms by how many definitions lie between them and the concept.
+    [[nodiscard]] std::vector<std::size_t> outward_from(const Iri& iri, std::vector<std::size_t> axioms) const {
+        std::vector<std::size_t> ordered;
+        std::vector<Iri> reached{iri};
+        std::set<Iri> known{iri};
+        for (std::size_t next = 0; next < reached.size(); ++next) {
+            const Iri name = reached[next];
+            std::erase_if(axioms, [&](std::size_t i) {
+                const owl::Axiom& axiom = domain_.ontology.axioms[i];
+                if (std::ranges::none_of(axiom.classes, [&](const auto& each) { return names(each, name); }))
+                    return false;
+                ordered.push_back(i);
+                owl::for_each_name(axiom, [&](const Iri& each) {
+                    if (known.insert(each).second) reached.push_back(each);
+                });
+                return true;
+            });
+        }
+        ordered.insert(ordered.end(), axioms.begin(), axioms.end());
+        return ordered;
     }
 
     /// All answers about the parts to blame, and the definition.
@@ -79,17 +174,14 @@ private:
             if (answer.yes && std::ranges::find(diagnosis.parts, answer.region + 1) != diagnosis.parts.end())
                 diagnosis.answers.push_back(in_words(i));
         }
-        const auto is_concept = [&](const owl::ClassPointer& each) {
-            return each->kind == owl::ClassKind::named && each->iri == iri;
-        };
         for (const owl::Axiom& axiom : domain_.ontology.axioms)
-            if (axiom.kind == owl::AxiomKind::equivalent_classes && std::ranges::any_of(axiom.classes, is_concept))
+            if (axiom.kind == owl::AxiomKind::equivalent_classes &&
+                std::ranges::any_of(axiom.classes, [&](const auto& each) { return names(each, iri); }))
                 diagnosis.axioms.push_back(axiom_in_words(axiom));
     }
 
     [[nodiscard]] std::string in_words(std::size_t i) const {
-        const knowledge::Answer& answer = knowledge_.answers[i];
-        return answer_in_words(domain_, answer, session_.answer_scores()[i], session_.is_accepted(answer));
+        return answer_in_words(domain_, knowledge_.answers[i], learned_[i]);
     }
 
     /// "add one Fin", "one more Leg", "take away one Lens: part 3 or part 4".
@@ -128,8 +220,17 @@ private:
 
     void count(const Iri& iri, Diagnosis& diagnosis) const {
         const knowledge::CountedParts counted = knowledge::counted_parts(domain_.ontology, iri);
-        for (const knowledge::CountedPart& part : counted.parts)
+        for (const knowledge::CountedPart& part : counted.parts) {
             diagnosis.counts.push_back({owl::local_name(part.iri), part.at_least, part.at_most});
+            if (!part.at_most || !session_.is_told_in_numbers()) continue;
+            for (const NearestRegion& near : nearest_regions(session_, knowledge_, part.iri, most_near)) {
+                Diagnosis::NearPart& told = diagnosis.nearest.emplace_back();
+                told.part = near.region + 1;
+                told.concept_name = owl::local_name(part.iri);
+                for (const std::size_t i : near.refused.refused_by)
+                    told.refused_by.push_back(what_was_answered(domain_, knowledge_.answers[i], learned_[i]));
+            }
+        }
         diagnosis.counts_are_all = counted.is_all;
     }
 
@@ -137,13 +238,19 @@ private:
     const Domain& domain_;
     Knowledge knowledge_;
     Corrector corrector_;
+    const std::vector<LearnedAnswer>& learned_;
 };
 
 }  // namespace
 
-std::string answer_in_words(const Domain& domain, const knowledge::Answer& answer, double score, bool accepted) {
-    return fmt::format("part {}: {}: {} ({})", answer.region + 1, to_text(domain.regions, answer.question, domain),
-                       answer.yes ? "yes" : "no", accepted ? "a person said so" : fmt::format("{:.2f}", score));
+std::string answer_in_words(const Domain& domain, const knowledge::Answer& answer, const LearnedAnswer& learned) {
+    return fmt::format("part {}: {}", answer.region + 1, what_was_answered(domain, answer, learned));
+}
+
+std::string what_was_answered(const Domain& domain, const knowledge::Answer& answer, const LearnedAnswer& learned) {
+    return fmt::format("{}: {} ({}){}", to_text(domain.regions, answer.question, domain), answer.yes ? "yes" : "no",
+                       learned.accepted ? "a person said so" : fmt::format("{:.2f}", learned.score),
+                       learned.measured.empty() ? "" : " [" + learned.measured + "]");
 }
 
 std::string axiom_in_words(const owl::Axiom& axiom) {
@@ -177,11 +284,12 @@ Knowledge recall(const Domain& domain, int part_count, bool is_complete, const s
     return knowledge;
 }
 
-std::vector<Diagnosis> diagnose(const Session& session, const Conclusions& known) {
+std::vector<Diagnosis> diagnose(const Session& session, const Conclusions& known,
+                                const std::vector<LearnedAnswer>& learned) {
     const Domain& domain = session.domain();
     const bool is_fine = known.diagnoses.empty() && !known.contradiction;
     if (is_fine) return {};
-    const Diagnoser diagnoser(session, known);
+    const Diagnoser diagnoser(session, known, learned);
     if (known.contradiction) return {diagnoser.diagnose({}, -1)};
     std::vector<Diagnosis> diagnoses;
     for (const ConceptId c : entailed(*known.objects, known.object)) {

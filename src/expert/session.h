@@ -55,6 +55,9 @@ public:
     /// Adds to the trace what was measured: to each `is a` the numbers it rests on, to each answer about a relation
     /// those of at most two tuples of regions. Nothing where the object has very many parts.
     void tell_measures();
+    /// What an answer rests on: of an `is a` the numbers that it measured, of a relation those of at most two tuples of
+    /// regions, or that no other part is what it asks for. Empty where nothing can tell, or a person said so.
+    [[nodiscard]] std::string in_numbers(const knowledge::Answer& answer);
     /// Configurations that an answer leaves of some.
     [[nodiscard]] knowledge::ConfigurationSet narrowed(knowledge::ConfigurationSet set,
                                                        const knowledge::Answer& answer) const;
@@ -134,6 +137,7 @@ private:
     [[nodiscard]] knowledge::ConfigurationSet possible_by_answers(int region) const;
     [[nodiscard]] bool is_relation(const knowledge::Answer& answer) const;
     void leave_out(std::size_t answer, const char* why);
+    [[nodiscard]] std::string relation_in_numbers(int region, knowledge::Question question);
     /// Gives up answers about relations that hung on what `region` could be (`before`); and what hung on those.
     void withdraw_relations(int region, knowledge::ConfigurationSet before);
     /// What is known of a region now and was not in `before`, in words; not the answer to `asked` itself.

@@ -210,30 +210,45 @@ std::optional<bool> Session::ask_relation(int region, Question question) {
     return yes;
 }
 
+std::string Session::relation_in_numbers(int region, Question question) {
+    const knowledge::Variable& variable = domain_.regions.variables[index(question.variable)];
+    const auto nodes = nodes_in_question(domain_, domain_.relational[index(variable.index)], region, possible_);
+    const std::string whom = other_side_in_words(variable, domain_);
+    if (nodes.empty()) return whom.empty() ? "" : "no other part is " + whom;
+    std::vector<std::pair<double, knowledge::RelationTuple>> nearest;
+    for (const auto& [truth, node] : nodes)
+        if (const auto found = related_.find(node); found != related_.end() && found->second)
+            nearest.emplace_back(-*found->second, node);
+    std::ranges::sort(nearest);
+    if (nearest.size() > most_relations_told) nearest.resize(most_relations_told);
+    std::string text;
+    for (const auto& [score, node] : nearest) {
+        std::vector<const RegionPlace*> places;
+        std::string others;
+        for (const int each : node.regions) {
+            places.push_back(&place(each));
+            if (each != region) others += (others.empty() ? "" : " and ") + region_name(each);
+        }
+        const std::string numbers =
+            partonomy::relation_in_numbers(domain_.relations[node.relation].criteria, scene(), places);
+        if (!numbers.empty()) text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", others, numbers);
+    }
+    return text;
+}
+
+std::string Session::in_numbers(const knowledge::Answer& answer) {
+    if (is_accepted(answer)) return {};
+    return is_relation(answer)
+               ? relation_in_numbers(answer.region, answer.question)
+               : is_a_in_numbers(domain_, catalogue_, answer.question, object_, measurements(answer.region));
+}
+
 void Session::tell_measures() {
     if (!is_told_in_numbers()) return;
     for (const auto& [entry, region, question] : std::exchange(asked_, {}))
         trace[entry].measured = is_a_in_numbers(domain_, catalogue_, question, object_, measurements(region));
     for (const auto& [entry, facts, region, question, yes] : std::exchange(told_, {})) {
-        const auto feature = index(domain_.regions.variables[index(question.variable)].index);
-        std::vector<std::pair<double, knowledge::RelationTuple>> nearest;
-        for (auto& [truth, node] : nodes_in_question(domain_, domain_.relational[feature], region, possible_)) {
-            const auto found = related_.find(node);
-            if (found != related_.end() && found->second) nearest.emplace_back(-*found->second, std::move(node));
-        }
-        std::ranges::sort(nearest);
-        if (nearest.size() > most_relations_told) nearest.resize(most_relations_told);
-        std::string text;
-        for (const auto& [score, node] : nearest) {
-            std::vector<const RegionPlace*> places;
-            std::string others;
-            for (const int each : node.regions) {
-                places.push_back(&place(each));
-                if (each != region) others += (others.empty() ? "" : " and ") + region_name(each);
-            }
-            const std::string numbers = relation_in_numbers(domain_.relations[node.relation].criteria, scene(), places);
-            if (!numbers.empty()) text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", others, numbers);
-        }
+        const std::string text = relation_in_numbers(region, question);
         if (text.empty()) continue;
         std::vector<std::string>& inferred = trace[entry].inferred;
         if (facts > 0)

@@ -174,4 +174,7 @@ struct TreeLimits {
 /// "is it a Board", "height <= 0.55"; the expert's wording (core:question) where there is one.
 [[nodiscard]] std::string to_text(const Space& space, Question question, const Domain& domain);
 
+/// Whom a question about a relation looks for on the other side, "a Seat"; empty where it takes more than a few words.
+[[nodiscard]] std::string other_side_in_words(const Variable& variable, const Domain& domain);
+
 }  // namespace partonomy::knowledge

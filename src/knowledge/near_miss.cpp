@@ -4,7 +4,8 @@
    the parts that are C for sure, and with those that may be: a part that is needed and there counts as right, one that
    is needed and not there as lacking, one beyond what is allowed as too many. A conjunction adds up, of a disjunction
    the best branch counts, negation swaps the two. The likeness of a concept is the share of right ones; a part that may
-   be what is needed counts half. Cost: one walk over each definition. */
+   be what is needed counts half, and one too many counts twice: a part that is missing may only not have been found,
+   but one that is there and that the concept does not allow speaks for another. Cost: one walk over each definition. */
 
 #include "knowledge/near_miss.h"
 
@@ -17,6 +18,7 @@ namespace partonomy::knowledge {
 namespace {
 
 constexpr int deepest = 64;               // names within names
+constexpr double foreign = 2;             // parts that a part too many counts for
 constexpr std::size_t most_doubtful = 3;  // parts that are listed for what they may be
 
 /// How many parts are C, and which may be besides.
@@ -112,7 +114,7 @@ private:
             if (open > 0) result.doubtful[name] = members.doubtful;
         } else if (possible >= formula.threshold) {
             const bool is_certain = members.certain >= formula.threshold;
-            result.wrong = is_certain ? members.certain - formula.threshold + 1 : 0.5;
+            result.wrong = foreign * (is_certain ? members.certain - formula.threshold + 1 : 0.5);
             result.too_many[name] = is_certain ? members.certain - formula.threshold + 1 : 1;
             if (!is_certain) result.doubtful[name] = members.doubtful;
         }

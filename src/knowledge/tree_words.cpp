@@ -30,26 +30,44 @@ std::string whom_words(const owl::ClassExpression& part) {
     return words;
 }
 
+/// The wording of the relation, and of who is on the other side; each empty where it takes more than a few words.
+struct RelationWords {
+    std::string question, whom;
+};
+
+RelationWords words_of_relation(const Variable& variable, const Domain& domain) {
+    const owl::ClassExpression& whole = *variable.part_class;
+    RelationWords words;
+    const bool of_target = domain.relational[static_cast<std::size_t>(variable.index)].of_target;
+    if (whole.kind != owl::ClassKind::some_values_from || whole.operands[0]->kind != owl::ClassKind::intersection_of ||
+        whole.operands[0]->operands.size() != 2)
+        return words;
+    for (const owl::ClassPointer& each : whole.operands[0]->operands) {
+        const owl::ClassExpression& operand = *each;
+        const bool is_other_side = of_target || owl::local_name(operand.property.iri) == "isTargetRegion";
+        if (operand.kind == owl::ClassKind::some_values_from && is_other_side)
+            words.whom = whom_words(*operand.operands[0]);
+        for (const Relation& relation : domain.relations)
+            if (operand.kind == owl::ClassKind::named && operand.iri == relation.iri)
+                words.question = relation.question;
+    }
+    return words;
+}
+
 /// "is it above a Seat", or, of the region as a reference, "is it above this (asked of a Seat)", where the relation has
 /// a wording and the other side is named in a few words; else the expression as written.
 std::string relation_words(const Variable& variable, const Domain& domain) {
-    const owl::ClassExpression& whole = *variable.part_class;
-    std::string question, whom;
+    const auto [question, whom] = words_of_relation(variable, domain);
+    if (question.empty() || whom.empty()) return "is it so: " + to_manchester(*variable.part_class);
     const bool of_target = domain.relational[static_cast<std::size_t>(variable.index)].of_target;
-    const bool simple = whole.kind == owl::ClassKind::some_values_from && whole.operands[0]->operands.size() == 2;
-    for (std::size_t i = 0; simple && i < 2; ++i) {
-        const owl::ClassExpression& operand = *whole.operands[0]->operands[i];
-        const bool is_other_side = of_target || owl::local_name(operand.property.iri) == "isTargetRegion";
-        if (operand.kind == owl::ClassKind::some_values_from && is_other_side) whom = whom_words(*operand.operands[0]);
-        for (const Relation& relation : domain.relations)
-            if (operand.kind == owl::ClassKind::named && operand.iri == relation.iri) question = relation.question;
-    }
-    if (question.empty() || whom.empty() || whole.operands[0]->kind != owl::ClassKind::intersection_of)
-        return "is it so: " + to_manchester(whole);
     return of_target ? question + " " + whom : question + " this (asked of " + whom + ")";
 }
 
 }  // namespace
+
+std::string other_side_in_words(const Variable& variable, const Domain& domain) {
+    return words_of_relation(variable, domain).whom;
+}
 
 std::vector<NodeFeatures> follow(const DecisionTree& tree) {
     const Space& space = *tree.space;

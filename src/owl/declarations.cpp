@@ -40,6 +40,9 @@ std::optional<EntityKind> declared_by(Word word) {
     }
 }
 
+const std::string also_called = std::string(core_prefix) + "alsoCalled";
+const std::string converse = std::string(core_prefix) + "converse";
+
 }  // namespace
 
 Declarations::Declarations() {
@@ -70,7 +73,14 @@ bool Declarations::has(const Iri& iri, EntityKind kind) const {
 void Declarations::collect(const Graph& graph, std::vector<Entity>& entities) {
     for (const Triple& triple : graph.triples) {
         const Term& subject = graph.terms[triple.subject];
-        if (subject.kind != TermKind::iri || graph.terms[triple.predicate].word != Word::rdf_type) continue;
+        if (subject.kind != TermKind::iri) continue;
+        if (const Term& object = graph.terms[triple.object]; object.kind == TermKind::literal) {
+            const Iri& property = graph.terms[triple.predicate].value;
+            if (property == also_called || property == converse)
+                other_names_.push_back({object.value, subject.value, property == converse});
+            continue;
+        }
+        if (graph.terms[triple.predicate].word != Word::rdf_type) continue;
         const std::optional<EntityKind> kind = declared_by(graph.terms[triple.object].word);
         if (!kind) continue;
         const auto known = kinds_.find(subject.value);
@@ -89,6 +99,25 @@ void Declarations::collect(const Graph& graph, std::vector<Entity>& entities) {
 }
 
 std::string Declarations::suggestion(const Iri& iri, EntityKind kind) const {
+    const std::string called = by_other_name(local_name(iri), kind);
+    const bool is_sure = iri.starts_with(core_prefix) && !called.empty();
+    const std::string spelled = is_sure ? "" : by_spelling(iri, kind);
+    const char* both = spelled.empty() || called.empty() ? "" : ", or ";
+    const std::string meant = spelled + both + called;
+    return meant.empty() ? "" : between(" (did you mean ", meant, "?)");
+}
+
+std::string Declarations::by_other_name(const std::string& name, EntityKind kind) const {
+    std::string terms;
+    for (const OtherName& other : other_names_)
+        if (has(other.of, kind) && is_spelled_alike(other.name, name)) {
+            terms += (terms.empty() ? "core:" : " or core:") + local_name(other.of);
+            if (other.is_converse) terms += ", with isTargetRegion and isReferenceRegion exchanged";
+        }
+    return terms;
+}
+
+std::string Declarations::by_spelling(const Iri& iri, EntityKind kind) const {
     const std::string name = local_name(iri);
     if (name.empty() || name.size() > 100) return {};
     std::size_t best = name.size() / 3 + 1;
@@ -121,7 +150,7 @@ std::string Declarations::suggestion(const Iri& iri, EntityKind kind) const {
                                                            : between("<", candidate, ">");
         }
     }
-    return nearest.empty() ? "" : " (did you mean " + nearest + "?)";
+    return nearest;
 }
 
 std::vector<Iri> Declarations::names_of_core(EntityKind kind) const {

@@ -19,7 +19,9 @@ struct Declarations {
 
     [[nodiscard]] bool has(const Iri& iri, EntityKind kind) const;
 
-    /// " (did you mean Seat?)" for the declared name most like `iri`'s, empty when none is near.
+    /// " (did you mean Seat?)" for the declared name most like `iri`'s, or one that is also called so (core:alsoCalled,
+    /// or core:converse from the other side of a relation); empty when none is near. Of a name that is written as one
+    /// of the core ontology's, what is also called so comes first.
     [[nodiscard]] std::string suggestion(const Iri& iri, EntityKind kind) const;
 
     /// Names of the core ontology of one kind; sorted.
@@ -27,8 +29,18 @@ struct Declarations {
 
 private:
     void add(const Iri& iri, EntityKind kind) { kinds_[iri] |= 1U << static_cast<unsigned>(kind); }
+    /// Names, empty when there is none.
+    [[nodiscard]] std::string by_spelling(const Iri& iri, EntityKind kind) const;
+    [[nodiscard]] std::string by_other_name(const std::string& name, EntityKind kind) const;
+
+    struct OtherName {
+        std::string name;
+        Iri of;
+        bool is_converse = false;
+    };
     static constexpr unsigned built_in = 1U << 8;
     std::unordered_map<Iri, unsigned> kinds_;  ///< a bit for each EntityKind, and built_in
+    std::vector<OtherName> other_names_;
 };
 
 class AnonymousNames;

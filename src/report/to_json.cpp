@@ -91,8 +91,23 @@ void write_knowledge(JsonText& json, const Annotation& annotation) {
             .member("parts", diagnosis.parts)
             .member("answers", diagnosis.answers)
             .member("axioms", diagnosis.axioms)
-            .member("corrections", diagnosis.corrections)
-            .array("changes");
+            .member("corrections", diagnosis.corrections);
+        if (!diagnosis.given.empty())
+            json.object("given")
+                .member("concepts", diagnosis.given)
+                .member("answers", diagnosis.answers_of_given)
+                .end();
+        if (!diagnosis.nearest.empty()) {
+            json.array("nearest");
+            for (const Diagnosis::NearPart& near : diagnosis.nearest)
+                json.object()
+                    .member("part", near.part)
+                    .member("concept", near.concept_name)
+                    .member("refused_by", near.refused_by)
+                    .end();
+            json.end();
+        }
+        json.array("changes");
         for (const Diagnosis::Change& change : diagnosis.changes) {
             json.object().member("answers", change.answers).member("cost", change.cost);
             if (!change.part.empty()) json.member("part", change.part).member("count", change.count);

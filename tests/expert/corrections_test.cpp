@@ -174,5 +174,58 @@ TEST(Corrections, NumbersOfParts) {
     EXPECT_FALSE(either.counts_are_all);
 }
 
+/// What a rule rests on comes first, then what makes the object a case of it. The second opinion: the latter alone make
+/// it that, and no break of the rule.
+TEST(Corrections, WhatTheRuleRestsOnComesFirst) {
+    const std::string text =
+        read_file(PARTONOMY_SOURCE_DIR "/ontologies/lamps.omn") +
+        "\nClass: :HighBulb\n    EquivalentTo: core:Region and (core:hasShape some core:Stick) and "
+        "(core:height some xsd:double[>= 9.0])\n"
+        "Class: :NoBulb\n    SubClassOf: core:Incompatible\n    EquivalentTo: :TwinLamp and "
+        "(core:hasPart max 0 :HighBulb)\n"
+        "Class: :TwoArms\n    SubClassOf: core:Incompatible\n    EquivalentTo: :TwinLamp and "
+        "(core:hasPart min 2 :Arm)\n";
+    const knowledge::Domain domain = knowledge::compile(owl::parse_ontology(text, "lamps.omn"));
+    const Annotation annotation = annotate(domain, make_catalogue(domain), make_object(lamps().back().mesh, {}));
+    ASSERT_EQ(annotation.diagnosis.size(), 2U);
+    for (const Diagnosis& diagnosis : annotation.diagnosis) {
+        SCOPED_TRACE(diagnosis.concept_name);
+        EXPECT_EQ(diagnosis.given, Names{"TwinLamp"});
+        ASSERT_GT(diagnosis.answers_of_given, 0U);
+        ASSERT_LT(diagnosis.answers_of_given, diagnosis.answers.size());
+        EXPECT_TRUE(diagnosis.axioms.at(0).starts_with(diagnosis.concept_name)) << diagnosis.axioms.at(0);
+        knowledge::Knowledge own =
+            recall(domain, static_cast<int>(annotation.parts.size()), true, annotation.answers, annotation.connected);
+        const auto end = diagnosis.answers.end() - static_cast<std::ptrdiff_t>(diagnosis.answers_of_given);
+        const auto is_own = [&](const std::string& answer) {
+            return std::find(diagnosis.answers.begin(), end, answer) != end;
+        };
+        std::size_t of_given = 0;
+        std::vector<knowledge::Answer> others;
+        for (std::size_t i = 0; i < own.answers.size(); ++i) {
+            const std::string words = answer_in_words(domain, own.answers[i], annotation.answers[i]);
+            of_given += std::find(end, diagnosis.answers.end(), words) != diagnosis.answers.end();
+            if (!is_own(words)) others.push_back(own.answers[i]);
+        }
+        EXPECT_EQ(of_given, diagnosis.answers_of_given);
+        EXPECT_EQ(std::ranges::count(object_names(conclude(domain, own)), diagnosis.concept_name), 1);
+        own.answers = others;
+        EXPECT_EQ(std::ranges::count(object_names(conclude(domain, own)), diagnosis.concept_name), 0);
+    }
+    const auto no_bulb = std::ranges::find(annotation.diagnosis, "NoBulb", &Diagnosis::concept_name);
+    ASSERT_NE(no_bulb, annotation.diagnosis.end());
+    ASSERT_EQ(no_bulb->nearest.size(), 3U) << "of four sticks, of which none is high";
+    for (const Diagnosis::NearPart& near : no_bulb->nearest) {
+        EXPECT_EQ(near.concept_name, "HighBulb");
+        ASSERT_EQ(near.refused_by.size(), 1U) << near.part;
+        EXPECT_NE(near.refused_by[0].find("height"), std::string::npos) << near.refused_by[0];
+    }
+    const auto two_arms = std::ranges::find(annotation.diagnosis, "TwoArms", &Diagnosis::concept_name);
+    ASSERT_NE(two_arms, annotation.diagnosis.end());
+    EXPECT_TRUE(two_arms->nearest.empty()) << "nothing is missing";
+    for (const int part : two_arms->parts)
+        EXPECT_TRUE(two_arms->answers[0].starts_with("part ")) << two_arms->answers[0] << part;
+}
+
 }  // namespace
 }  // namespace partonomy

@@ -86,6 +86,24 @@ TEST(NearMiss, TellsWhichPartsMayBeWhatIsLacking) {
     EXPECT_EQ(miss.lacks, std::vector<std::string>{"1 Seat (part 6 may be one)"});
 }
 
+/// A box that a stand does not allow speaks for the cart that wants one, although the cart lacks as many parts.
+TEST(NearMiss, APartTooManySpeaksForWhatWantsIt) {
+    Ontology ontology = shapes();
+    ontology.same("Seat", both({some("hasShape", "Board"), some("hasOrientation", "Horizontal")}))
+        .same("Back", both({some("hasShape", "Board"), some("hasOrientation", "Vertical")}))
+        .same("Leg", both({some("hasShape", "Stick"), some("hasOrientation", "Vertical")}))
+        .same("Box", some("hasShape", "Cube"))
+        .same("Stand", both({some("hasPart", "Seat"), at_least(2, name("Leg")), at_most(0, name("Box"))}))
+        .same("Cart", both({some("hasPart", "Seat"), some("hasPart", "Box"), at_least(2, name("Leg")),
+                            at_least(2, name("Back"))}));
+    const Domain domain = compile(ontology.result);
+    const std::vector<NearMiss> near = near_misses(domain, conclude(domain, object_of({1, 0, 2, 1})));
+    ASSERT_EQ(near.size(), 2U);
+    EXPECT_EQ(near[0].iri, iri("Cart"));
+    EXPECT_EQ(near[0].lacks, std::vector<std::string>{"2 Back"});
+    EXPECT_EQ(near[1].too_many, std::vector<std::string>{"1 Box"});
+}
+
 TEST(NearMiss, WithWhatIsLackingItIsRecognised) {
     const Domain domain = furniture();
     const unsigned seed = std::random_device{}();

@@ -120,6 +120,12 @@ TEST(BadInput, NoOwl2) {
     expect_refused({
         {head + ":Seat rdfs:subClassOf\n :Legg .", "bad.ttl:3: ", "Legg is used as a class but not declared"},
         {head + ":Seat rdfs:subClassOf :Legg .", "bad.ttl:3: ", "(did you mean Leg?)"},
+        {head + "@prefix core: <https://w3id.org/partonomy/core#> . core:Region a owl:Class . core:Below a owl:Class ; "
+                "core:alsoCalled \"Under\" .\n:Seat rdfs:subClassOf core:Under .",
+         "bad.ttl:4: ", "(did you mean core:Below?)"},
+        {head + "@prefix core: <https://w3id.org/partonomy/core#> . core:Region a owl:Class . core:LongerThan a "
+                "owl:Class ; core:converse \"ShorterThan\" .\n:Seat rdfs:subClassOf core:ShorterThan .",
+         "bad.ttl:4: ", "(did you mean core:LongerThan, with isTargetRegion and isReferenceRegion exchanged?)"},
         {head + ":Seat rdfs:subClassOf :p .",
          "bad.ttl:3: ", "p is an object property, but stands where a class is expected"},
         {head + ":Seat rdfs:subClassOf \"Leg\" .", "bad.ttl:3: ", "the literal \"Leg\" stands where"},
