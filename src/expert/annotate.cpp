@@ -1,14 +1,10 @@
-/* From questions to an annotation: asks by one of the strategies, then decides what every part is called.
+/* From questions to an annotation: asks about the likeliest cut (likeliest_cut.cpp), decides what every part is called
+ * (naming.cpp), and tells what is wrong (diagnose.cpp) and what stayed open (open_questions.cpp).
  *
- * A part is called by the most specific concept that is entailed for it. Where a question that would decide cannot be
- * answered (no unit, no algorithm), several names stay possible: then the part gets the name that holds in most of the
- * configurations that are left, its score is that fraction of the shape's, and the annotation lists the assumption
- * among its open questions. A part for which nothing can hold stays unnamed. What is incompatible only if such an
- * assumption is right is no class and no diagnosis: it is told as "perhaps". A part that is nothing but a helper is
- * called by the smallest composite part that it belongs to.
+ * What is incompatible only if an assumed name is right is no class and no diagnosis: it is told as "perhaps".
  *
- * Score of a part: mean fitting score of its triangles times the `is a` score of its shape (paper §6.4). Score of the
- * object: mean of its parts' scores by area. */
+ * Score of a part: mean fitting score of its triangles times the `is a` score of its shape (paper §6.4), times the
+ * certainty of its name. Score of the object: mean of its parts' scores by area. */
 
 #include "expert/annotate.h"
 
@@ -21,9 +17,9 @@
 
 #include "base/errors.h"
 #include "expert/accepted_answers.h"
-#include "expert/nearest_name.h"
+#include "expert/likeliest_cut.h"
+#include "expert/naming.h"
 #include "expert/open_questions.h"
-#include "knowledge/near_miss.h"
 
 namespace partonomy {
 namespace {
@@ -32,63 +28,7 @@ using knowledge::ConceptId;
 using knowledge::Conclusions;
 using knowledge::ConfigurationSet;
 using knowledge::Domain;
-using knowledge::Space;
 using owl::Iri;
-
-/// The value of core:`name` at a concept; empty when it has none.
-std::string annotation_of(const Domain& domain, const Iri& iri, const char* name) {
-    const auto found = domain.ontology.annotations.find(iri);
-    if (found == domain.ontology.annotations.end()) return {};
-    for (const owl::Annotation& annotation : found->second)
-        if (annotation.property == std::string(owl::core_prefix) + name) return annotation.literal.value;
-    return {};
-}
-
-/// Whether a concept only serves to define others.
-bool is_helper(const Domain& domain, const Iri& iri) { return annotation_of(domain, iri, "helper") == "true"; }
-
-Naming name_region(const Session& session, const ConfigurationSet& possible) {
-    const Space& space = session.domain().regions;
-    Naming naming;
-    if (possible.is_empty()) return naming;  // of a contradiction everything follows
-    for (const ConceptId c : session.wanted())
-        if (const auto& concept_ = space.concepts[static_cast<std::size_t>(c)];
-            possible.is_subset_of(concept_.where) && !is_helper(session.domain(), concept_.iri))
-            naming.concepts.push_back(concept_.iri);
-    if (!naming.concepts.empty()) return naming;
-    double most = 0;
-    for (const ConceptId c : session.wanted()) {
-        const auto& concept_ = space.concepts[static_cast<std::size_t>(c)];
-        if (concept_.incompatible || is_helper(session.domain(), concept_.iri)) continue;
-        if (const double share = possible.share(concept_.where); share > most) {
-            most = share;
-            naming.concepts = {concept_.iri};
-        }
-    }
-    if (most > 0) naming.certainty = most;
-    return naming;
-}
-
-std::vector<std::string> local_names(const std::vector<Iri>& iris) {
-    std::vector<std::string> names;
-    for (const Iri& iri : iris) names.push_back(owl::local_name(iri));
-    return names;
-}
-
-/// Most specific first, the others after them.
-std::vector<Iri> specific_first(const Domain& domain, const std::vector<Iri>& iris) {
-    std::vector<Iri> sorted = domain.most_specific(iris);
-    for (const Iri& iri : iris)
-        if (std::find(sorted.begin(), sorted.end(), iri) == sorted.end()) sorted.push_back(iri);
-    return sorted;
-}
-
-/// Local names of the most specific that are no diagnoses.
-std::vector<std::string> names_among(const Domain& domain, const Space& space, std::vector<Iri> iris) {
-    std::erase_if(
-        iris, [&](const Iri& iri) { return space.concepts[static_cast<std::size_t>(*space.find(iri))].incompatible; });
-    return local_names(domain.most_specific(iris));
-}
 
 AnnotatedPart make_part(const Session& session, int region, const ConfigurationSet& possible, const Naming& naming) {
     const Domain& domain = session.domain();
@@ -177,25 +117,6 @@ std::vector<LearnedAnswer> learned_answers(Session& session, const knowledge::Kn
     return answers;
 }
 
-/// Tells of each part without a name which one it came nearest to, and what refuses it.
-void tell_nearest_names(const Session& session, const knowledge::Knowledge& knowledge, Annotation& annotation) {
-    if (!session.is_told_in_numbers()) return;
-    const Domain& domain = session.domain();
-    std::vector<Iri> names;
-    for (const ConceptId c : session.wanted())
-        if (const auto& concept_ = domain.regions.concepts[static_cast<std::size_t>(c)];
-            !concept_.incompatible && !is_helper(domain, concept_.iri) && !concept_.where.is_empty())
-            names.push_back(concept_.iri);
-    for (AnnotatedPart& part : annotation.parts) {
-        if (!part.concepts.empty()) continue;
-        const auto nearest = nearest_name(session, knowledge, part.id - 1, names);
-        if (!nearest) continue;
-        part.nearest = owl::local_name(nearest->iri);
-        for (const std::size_t i : nearest->refused_by)
-            part.refusals.push_back(what_was_answered(domain, knowledge.answers[i], annotation.answers[i]));
-    }
-}
-
 /// What follows when assumed names count as known; what is known alone where that contradicts the axioms.
 Conclusions conclude_with_assumptions(const Session& session, const knowledge::Knowledge& knowledge,
                                       const Conclusions& known, const std::vector<Naming>& namings) {
@@ -211,69 +132,6 @@ std::vector<Iri> perhaps_incompatible(const Conclusions& known, const Conclusion
     return perhaps;
 }
 
-/// The composite parts, those of which no concept is known left out.
-std::vector<AnnotatedComposite> composite_parts(const Session& session, const Conclusions& known,
-                                                const std::vector<Iri>& perhaps) {
-    const Domain& domain = session.domain();
-    std::vector<AnnotatedComposite> composites;
-    std::vector<const knowledge::CompositePart*> kept;
-    for (const knowledge::CompositePart& part : known.composites) {
-        const Space& space = domain.composites[static_cast<std::size_t>(part.group)].space;
-        std::vector<Iri> names;
-        for (const ConceptId c : entailed(space, part.possible)) {
-            const Iri& iri = space.concepts[static_cast<std::size_t>(c)].iri;
-            if (!iri.starts_with(owl::core_prefix) && std::ranges::find(perhaps, iri) == perhaps.end())
-                names.push_back(iri);
-        }
-        if (names.empty()) continue;
-        AnnotatedComposite& composite = composites.emplace_back();
-        composite.id = static_cast<int>(composites.size());
-        composite.concepts = local_names(specific_first(domain, names));
-        composite.names = names_among(domain, space, names);
-        for (const int region : part.regions) composite.parts.push_back(region + 1);
-        for (std::size_t k = 0; k < kept.size(); ++k)
-            if (kept[k]->group < part.group && std::ranges::includes(part.regions, kept[k]->regions))
-                composite.composites.push_back(static_cast<int>(k) + 1);
-        kept.push_back(&part);
-    }
-    return composites;
-}
-
-/// What a region of which only helpers hold is called by: the most specific concepts of the smallest composite part
-/// that it belongs to; empty where it belongs to none.
-std::vector<Iri> names_of_whole(const Domain& domain, const Conclusions& known, int region) {
-    const knowledge::CompositePart* smallest = nullptr;
-    std::vector<Iri> names;
-    for (const knowledge::CompositePart& part : known.composites) {
-        if (!std::ranges::binary_search(part.regions, region)) continue;
-        if (smallest && part.regions.size() >= smallest->regions.size()) continue;
-        const Space& space = domain.composites[static_cast<std::size_t>(part.group)].space;
-        std::vector<Iri> found;
-        for (const ConceptId c : entailed(space, part.possible)) {
-            const knowledge::Concept& concept_ = space.concepts[static_cast<std::size_t>(c)];
-            if (!concept_.incompatible && !concept_.iri.starts_with(owl::core_prefix) &&
-                !is_helper(domain, concept_.iri))
-                found.push_back(concept_.iri);
-        }
-        if (found.empty()) continue;
-        smallest = &part;
-        names = domain.most_specific(found);
-    }
-    return names;
-}
-
-/// Calls parts without a name of their own by the whole that they belong to.
-void name_by_wholes(const Domain& domain, const Conclusions& known, Annotation& annotation) {
-    for (AnnotatedPart& part : annotation.parts) {
-        if (!part.concepts.empty()) continue;
-        const std::vector<Iri> names = names_of_whole(domain, known, part.id - 1);
-        if (names.empty()) continue;
-        part.concepts = part.names = local_names(names);
-        part.color = annotation_of(domain, names.front(), "color");
-        part.is_piece = true;
-    }
-}
-
 /// Mean of the scores of the parts by area, those without a name counting 0.
 double score_of(const Annotation& annotation) {
     double area = 0, scored_area = 0;
@@ -282,142 +140,6 @@ double score_of(const Annotation& annotation) {
         if (!part.concepts.empty()) scored_area += part.area * part.score;
     }
     return area > 0 ? scored_area / area : 0;
-}
-
-/// What an object comes nearest to, unless it is something that is no diagnosis.
-std::vector<NearClass> nearest_classes(const Domain& domain, const Conclusions& assumed,
-                                       const std::vector<Iri>& classes) {
-    constexpr std::size_t most = 3;
-    std::vector<NearClass> nearest;
-    const knowledge::Space& objects = *assumed.objects;
-    if (assumed.contradiction || std::ranges::any_of(classes, [&](const Iri& iri) {
-            return !objects.concepts[static_cast<std::size_t>(*objects.find(iri))].incompatible;
-        }))
-        return nearest;
-    std::vector<Iri> helpers;
-    for (const knowledge::Concept& concept_ : objects.concepts)
-        if (is_helper(domain, concept_.iri)) helpers.push_back(concept_.iri);
-    for (knowledge::NearMiss& miss : near_misses(domain, assumed, helpers)) {
-        if (nearest.size() == most) break;
-        nearest.push_back({owl::local_name(miss.iri), std::move(miss.lacks), std::move(miss.too_many)});
-    }
-    return nearest;
-}
-
-void run(Session& session, const AnnotateOptions& options) {
-    switch (options.strategy) {
-        case Strategy::expert:
-            run_expert(session, options.criterion);
-            break;
-        case Strategy::naive:
-            run_naive(session);
-            break;
-        case Strategy::segment_then_identify:
-            run_segment_then_identify(session);
-            break;
-    }
-    session.find_connections();
-}
-
-/// The least certain answer that a region's name rests on.
-double fuzzy_membership(const Session& session, int region) {
-    double least = 1;
-    const std::vector<knowledge::Answer> answers = session.knowledge().answers;
-    for (std::size_t i = 0; i < answers.size(); ++i)
-        if (answers[i].region == region && !session.is_measured(answers[i].question.variable))
-            least = std::min(least, session.answer_scores()[i]);
-    return least;
-}
-
-/// What the ontology says of the regions of a cut, once a session has asked all it wanted.
-Verdict verdict_of(const Session& session, const Cut& cut) {
-    const Domain& domain = session.domain();
-    const Conclusions known = conclude(domain, session.knowledge());
-    std::map<std::int32_t, std::size_t> place;  // in the cut, by lowest triangle
-    for (std::size_t i = 0; i < cut.size(); ++i) place[cut[i]->part.region.triangles.front()] = i;
-    Verdict verdict;
-    verdict.regions.resize(cut.size());
-    for (int region = 0; region < session.region_count(); ++region) {
-        const Naming naming = name_region(session, known.regions[static_cast<std::size_t>(region)]);
-        const auto found = place.find(session.part(region).region.triangles.front());
-        if (found == place.end()) continue;
-        cut[found->second]->measurements.surroundings = session.measurements(region).surroundings;  // for the next cut
-        const std::vector<Iri> names =
-            naming.concepts.empty() ? names_of_whole(domain, known, region) : specific_first(domain, naming.concepts);
-        if (names.empty()) continue;
-        verdict.regions[found->second] = {owl::local_name(names.front()),
-                                          naming.certainty * fuzzy_membership(session, region)};
-    }
-    verdict.is_consistent = !known.contradiction && known.diagnoses.empty();
-    verdict.is_recognised = std::ranges::any_of(entailed(*known.objects, known.object), [&](ConceptId c) {
-        const auto& concept_ = known.objects->concepts[static_cast<std::size_t>(c)];
-        return !concept_.incompatible && !concept_.iri.starts_with(owl::core_prefix);
-    });
-    return verdict;
-}
-
-/// Counts of the questions that were asked of cuts that others were better than.
-void add_questions(const Session& from, Session& to) {
-    to.find_all_count += from.find_all_count;
-    to.is_a_count += from.is_a_count;
-    to.related_count += from.related_count;
-    to.find_related_count += from.find_related_count;
-    to.read_off_count += from.read_off_count;
-}
-
-/// Tells the trace which edits made the cut likelier.
-void trace_edits(Session& session, const FinalLabelling& labelling, double ms) {
-    TraceEntry entry;
-    entry.kind = "FL";
-    entry.region = "mesh";
-    entry.question = "which cut is the likeliest";
-    entry.answer = fmt::format("{} edit{} in {} trials", labelling.edits.size(), labelling.edits.size() == 1 ? "" : "s",
-                               labelling.trials);
-    entry.score = 1;
-    entry.ms = ms;
-    for (const Edit& edit : labelling.edits)
-        for (int region = 0; region < session.region_count(); ++region)
-            if (std::ranges::binary_search(session.part(region).region.triangles, edit.triangle))
-                entry.inferred.push_back(fmt::format("part {} {}", region + 1, edit.what));
-    session.trace.push_back(std::move(entry));
-}
-
-/// Whether the regions are the parts of the cut: a derived `find all` may have found surfaces inside of them.
-bool has_regions_of(const Session& session, const Cut& cut) {
-    std::set<std::pair<std::int32_t, std::size_t>> parts;  // by lowest triangle and size
-    for (const auto& region : cut)
-        parts.emplace(region->part.region.triangles.front(), region->part.region.triangles.size());
-    for (int region = 0; region < session.region_count(); ++region) {
-        const std::vector<std::int32_t>& triangles = session.part(region).region.triangles;
-        if (!parts.contains({triangles.front(), triangles.size()})) return false;
-    }
-    return true;
-}
-
-/// The session of the likeliest cut, after all questions; `cut` becomes that one.
-std::unique_ptr<Session> ask_about_likeliest(const Domain& domain, const Catalogue& catalogue, const Object& object,
-                                             Cut& cut, const AnnotateOptions& options) {
-    const auto asked = [&](const Cut& about) {
-        auto session = std::make_unique<Session>(domain, catalogue, object, about);
-        run(*session, options);
-        return session;
-    };
-    std::unique_ptr<Session> session = asked(cut);
-    if (!options.mend || options.strategy != Strategy::expert || !has_regions_of(*session, cut)) return session;
-    const auto start = std::chrono::steady_clock::now();
-    const auto judge = [&](const Cut& other) {
-        const std::unique_ptr<Session> trial = asked(other);
-        add_questions(*trial, *session);
-        return verdict_of(*trial, other);
-    };
-    const auto labelling = find_final_labelling(object, cut, verdict_of(*session, cut), judge, options.threads);
-    if (!labelling) return session;
-    cut = labelling->cut;
-    std::unique_ptr<Session> best = asked(cut);
-    add_questions(*session, *best);
-    trace_edits(*best, *labelling,
-                std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
-    return best;
 }
 
 }  // namespace

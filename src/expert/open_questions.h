@@ -1,14 +1,8 @@
 #pragma once
 
-#include "expert/session.h"
+#include "expert/naming.h"
 
 namespace partonomy {
-
-/// A part's name as it stands at the end.
-struct Naming {
-    std::vector<owl::Iri> concepts;  ///< that hold, entailed or assumed
-    double certainty = 1;            ///< fraction of the configurations in which an assumed name holds
-};
 
 /// What follows when the assumed names of all parts, or of some, count as known.
 [[nodiscard]] knowledge::Conclusions conclude_assuming(const knowledge::Domain& domain,
