@@ -54,13 +54,21 @@ RelationWords words_of_relation(const Variable& variable, const Domain& domain) 
     return words;
 }
 
-/// "is it above a Seat", or, of the region as a reference, "is it above this (asked of a Seat)", where the relation has
-/// a wording and the other side is named in a few words; else the expression as written.
+/// "is a Seat above it", from "is it above"; where the wording speaks of no "it", "… this (asked of a Seat)".
+std::string asked_of(const std::string& whom, const std::string& question) {
+    constexpr const char* it = " it ";
+    const std::size_t place = question.find(it);
+    if (place == std::string::npos) return question + " this (asked of " + whom + ")";
+    return question.substr(0, place + 1) + whom + question.substr(place + 3) + " it";
+}
+
+/// "is it above a Seat", or, of the region as a reference, "is a Seat above it", where the relation has a wording and
+/// the other side is named in a few words; else the expression as written.
 std::string relation_words(const Variable& variable, const Domain& domain) {
     const auto [question, whom] = words_of_relation(variable, domain);
     if (question.empty() || whom.empty()) return "is it so: " + to_manchester(*variable.part_class);
     const bool of_target = domain.relational[static_cast<std::size_t>(variable.index)].of_target;
-    return of_target ? question + " " + whom : question + " this (asked of " + whom + ")";
+    return of_target ? question + " " + whom : asked_of(whom, question);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "base/errors.h"
 #include "knowledge/closed_world.h"
+#include "knowledge/decision_tree.h"
 #include "mini.h"
 
 using namespace mini;
@@ -252,6 +253,26 @@ TEST(Relations, AnswersAreEntailments) {
     }
     EXPECT_GT(decided, 400);
     EXPECT_GT(open, 20);
+}
+
+/// A question about a relation is worded from either side.
+TEST(Relations, InWords) {
+    const auto worded = [](const std::string& question, const std::string& role, const std::string& other) {
+        Ontology ontology = start();
+        if (!question.empty()) ontology.note("Above", "question", question);
+        ontology.same("X", both({name("P1"), some(role, both({name("Above"), inverse(some(other, "P0"))}))}))
+            .same("Q", both({name("Object"), some("hasPart", "X")}));
+        const Domain domain = compile(ontology.result);
+        for (std::size_t v = 0; v < domain.regions.variables.size(); ++v)
+            if (domain.regions.variables[v].kind == VariableKind::relation)
+                return to_text(domain.regions, {static_cast<VariableId>(v), 0}, domain);
+        return std::string();
+    };
+    EXPECT_EQ(worded("is it above", "isTargetRegion", "isReferenceRegion"), "is it above a P0");
+    EXPECT_EQ(worded("is it above", "isReferenceRegion", "isTargetRegion"), "is a P0 above it");
+    EXPECT_EQ(worded("has it the size of", "isReferenceRegion", "isTargetRegion"), "has a P0 the size of it");
+    EXPECT_EQ(worded("higher than", "isReferenceRegion", "isTargetRegion"), "higher than this (asked of a P0)");
+    EXPECT_EQ(worded("", "isTargetRegion", "isReferenceRegion").substr(0, 10), "is it so: ");
 }
 
 TEST(Relations, AsksNoMoreThanItNeeds) {
