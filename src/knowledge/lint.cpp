@@ -15,8 +15,8 @@
 #include "knowledge/causes.h"
 #include "knowledge/concept_relations.h"
 #include "knowledge/lint_gaps.h"
+#include "knowledge/lint_relations.h"
 #include "knowledge/plain.h"
-#include "knowledge/relations.h"
 #include "knowledge/theory.h"
 #include "owl/signature.h"
 
@@ -24,20 +24,6 @@ namespace partonomy::knowledge {
 namespace {
 
 bool is_core(const Iri& iri) { return iri.starts_with(owl::core_prefix); }
-
-std::string list_of(const std::vector<std::string>& names, std::size_t most = 8, const std::string& last = " and ") {
-    std::string text;
-    const std::size_t shown = names.size() > most + 1 ? most : names.size();
-    for (std::size_t i = 0; i < shown; ++i) text += (i == 0 ? "" : i + 1 == names.size() ? last : ", ") + names[i];
-    if (shown < names.size()) text += " and " + std::to_string(names.size() - shown) + " more";
-    return text;
-}
-
-std::vector<std::string> local_names(const std::vector<Iri>& iris) {
-    std::vector<std::string> names;
-    for (const Iri& iri : iris) names.push_back(owl::local_name(iri));
-    return names;
-}
 
 class Linter {
 public:
@@ -64,9 +50,8 @@ public:
         look_at_space(domain_.objects(), "object");
         look_at_features();
         look_at_numbers();
-        look_at_relations();
-        look_at_waiting_names();
-        look_at_own_sides();
+        for (Finding& finding : lint_relations(domain_, [this](const Iri& iri) { return place_of(iri); }))
+            findings_.push_back(std::move(finding));
         look_at_open_restrictions();
         look_at_declarations();
         std::ranges::stable_sort(findings_, {}, [](const Finding& f) {
@@ -345,120 +330,6 @@ private:
                     (whom.empty() ? "" : ", so what " + whom + " asks of it stays open"),
                 is_data ? "name a measurement of partonomy catalogue, or let another axiom or a rule tell it"
                         : "let a rule tell it, or declare it functional with a class below core:Feature as its range");
-        }
-    }
-
-    void look_at_relations() {
-        for (const Variable& variable : domain_.regions.variables) {
-            if (variable.kind != VariableKind::relation || variable.answerable) continue;
-            std::vector<Iri> silent;
-            const NodeTest& test = domain_.relational[static_cast<std::size_t>(variable.index)].test;
-            for (std::size_t r = 0; r < domain_.relations.size(); ++r)
-                if (domain_.relations[r].criteria.empty() && may_pass(test, domain_.relations, r))
-                    silent.push_back(domain_.relations[r].iri);
-            add(FindingKind::unanswerable, true, silent, place_of(silent.front()),
-                list_of(local_names(silent)) + (silent.size() == 1 ? " has" : " have") +
-                    " no core:criterion, so no algorithm answers \"" + to_manchester(*variable.part_class) +
-                    "\" and it stays open",
-                "give it a measure between regions of partonomy catalogue and a trapezoid");
-        }
-    }
-
-    /// What a definition speaks of: relations to others, and names; and what those names speak of that are defined.
-    struct Rests {
-        std::set<int> names, relations;
-    };
-    void collect(FormulaId id, Rests& rests, bool into_names = true) const {
-        const Formula& formula = theory_.formulas[id];
-        for (const FormulaId operand : formula.operands) collect(operand, rests, into_names);
-        const int relation = formula.index - static_cast<int>(theory_.ranges.size() + theory_.numbers.size());
-        if (formula.kind == Formula::Kind::choice && relation >= 0) rests.relations.insert(relation);
-        if (formula.kind != Formula::Kind::named || !rests.names.insert(formula.index).second || !into_names) return;
-        if (const FormulaId definition = theory_.concepts[formula.index].definition; definition >= 0)
-            collect(definition, rests);
-    }
-
-    /// Names each of which is defined by a relation to one that waits for it.
-    void look_at_waiting_names() {
-        if (theory_.relational.empty()) return;
-        const std::size_t count = theory_.concepts.size();
-        std::vector<Rests> own(count);
-        std::vector<std::set<int>> awaited(
-            count);  // names that a relation in the definition speaks of, then all theirs
-        for (std::size_t c = 0; c < count; ++c) {
-            const NamedConcept& named = theory_.concepts[c];
-            if (named.level != Level::region || named.definition < 0) continue;
-            collect(named.definition, own[c]);
-            for (const int relation : own[c].relations)
-                for (const FormulaId each : theory_.relational_classes[relation]) {
-                    Rests others;
-                    collect(each, others);
-                    awaited[c].insert(others.names.begin(), others.names.end());
-                }
-        }
-        for (bool grown = true; grown;) {
-            grown = false;
-            for (std::set<int>& each : awaited) {
-                const std::size_t before = each.size();
-                for (const int other : std::set<int>(each)) each.insert(awaited[other].begin(), awaited[other].end());
-                grown |= each.size() > before;
-            }
-        }
-        std::set<int> told;
-        for (int c = 0; c < static_cast<int>(count); ++c) {
-            if (!awaited[c].contains(c) || told.contains(c)) continue;
-            std::vector<Iri> circle;
-            std::string places;
-            for (const int other : awaited[c])
-                if (awaited[other].contains(c) && told.insert(other).second) {
-                    circle.push_back(theory_.concepts[other].iri);
-                    const owl::Source place = place_of(circle.back());
-                    places += (places.empty() ? "" : ", ") + owl::local_name(circle.back()) + " in line " +
-                              std::to_string(place.line);
-                }
-            const bool is_alone = circle.size() == 1;
-            add(FindingKind::unanswerable, true, circle, place_of(circle.front()),
-                list_of(local_names(circle)) + (is_alone ? " waits for itself (" : " wait for each other (") + places +
-                    "): " + (is_alone ? "it is" : "each is") + " known by a relation to " +
-                    (is_alone ? "itself" : "the other") + ", so what hangs on it stays open",
-                "let one of them be known without it, and put the relation into a name of its own, such as "
-                "Attached" +
-                    owl::local_name(circle.back()));
-        }
-    }
-
-    /// Whether a test of a relation speaks of the side on which the part itself is: what it says is said of the part.
-    [[nodiscard]] bool speaks_of_own_side(const NodeTest& test, const RelationalFeature& feature) const {
-        if (feature.of_target) {
-            if (test.kind == NodeTest::Kind::target) return true;
-        } else if (test.kind == NodeTest::Kind::references) {
-            for (std::size_t r = 0; r < domain_.relations.size(); ++r)
-                if (domain_.relations[r].arity > 2 && may_pass(feature.test, domain_.relations, r)) return false;
-            return true;
-        }
-        return std::ranges::any_of(test.operands,
-                                   [&](const NodeTest& operand) { return speaks_of_own_side(operand, feature); });
-    }
-
-    /// Relations whose other side is never named: "isTargetRegion some (LongerThan and inverse isTargetRegion some
-    /// Leg)".
-    void look_at_own_sides() {
-        if (theory_.relational.empty()) return;
-        for (const NamedConcept& named : theory_.concepts) {
-            if (named.level != Level::region || named.definition < 0) continue;
-            Rests own;
-            collect(named.definition, own, false);
-            for (const int relation : own.relations) {
-                const RelationalFeature& feature = theory_.relational[relation];
-                if (!speaks_of_own_side(feature.test, feature)) continue;
-                const std::string side = feature.of_target ? "isTargetRegion" : "isReferenceRegion";
-                const std::string other = feature.of_target ? "isReferenceRegion" : "isTargetRegion";
-                add(FindingKind::own_side, true, {named.iri}, place_of(named.iri),
-                    "in \"" + to_manchester(*feature.as_written) + "\" inverse (" + side +
-                        ") is the part itself once more, so nothing is said of what it lies to",
-                    "write inverse (" + other +
-                        ") for the other side, and what the part itself is outside of the relation");
-            }
         }
     }
 
