@@ -6,8 +6,9 @@
  *
  * - section spread: in each slice the points' distances from the slice's middle, scaled so that an ellipse becomes a
  *   circle, are averaged by direction; the value is the standard deviation of these means over their mean. Averages
- *   keep noise out, slices keep bends and tapers out. A circle has 0, a pentagon 0.06, a square 0.1, a triangle 0.2. Of
- *   a board it is the outline that counts, of a block the roundest of its axes.
+ *   keep noise out, so of a coarse mesh, whose edges go where its noise is taken out, the points are those of the mesh
+ * as it is; slices keep bends and tapers out. A circle has 0, a pentagon 0.06, a square 0.1, a triangle 0.2. Of a board
+ * it is the outline that counts, of a block the roundest of its axes.
  * - taper: root of the mean squared distance from the middle of the slice, near both ends: smaller over larger.
  * - bend: how far the middles of the slices leave their best straight line, over the length. Of a board across its
  *   thickness; in its plane, and of a block, only where both borders of the outline bow the same way, as those of an
@@ -57,7 +58,7 @@ struct Slices {
         const std::array<int, 3> order{axis, axis == 0 ? 1 : 0, axis == 2 ? 1 : 2};
         for (std::size_t i = 0; i < samples.points.size(); ++i) {
             if (std::abs(samples.normals[i].dot(region.axes.col(axis))) > steepest) continue;
-            const Vec3 place = region.axes.transpose() * (samples.points[i] - region.centre);
+            const Vec3 place = region.axes.transpose() * (samples.with_edges()[i] - region.centre);
             const double share = region.lengths[axis] > 0 ? place[axis] / region.lengths[axis] + 0.5 : 0.5;
             const double at = (share - from) / (to - from) * count;
             if (at < 0 || at >= count) continue;
@@ -72,13 +73,13 @@ Vec3 mean_of(const std::vector<Vec3>& points) {
     return std::accumulate(points.begin(), points.end(), Vec3(Vec3::Zero())) / static_cast<double>(points.size());
 }
 
-/// How far the sections across an axis are from ellipses; nothing without walls along it.
-double spread_across(const Object& object, const RegionMeasurements& region, int axis) {
-    constexpr std::size_t directions = 24, least_points = 12;
-    const bool is_thin = axis == 2 && is_board(region.lengths);
-    const Slices sliced(samples_of(object, region), region, axis, is_thin ? 1 : 6, is_thin ? -1 : 0.05,
-                        is_thin ? 2 : 0.95, 0.7);
-    std::array<double, directions> sum{}, count{};
+/// How far the points of each slice are from its middle, by direction and over the mean of the slice, in coordinates in
+/// which an ellipse is a circle.
+using ByDirection = std::array<std::vector<double>, 24>;
+
+ByDirection distances_by_direction(const Slices& sliced) {
+    constexpr std::size_t least_points = 12;
+    ByDirection distances;
     for (const std::vector<Vec3>& slice : sliced.slices) {
         if (slice.size() < least_points) continue;
         const Vec3 middle = mean_of(slice);
@@ -91,25 +92,48 @@ double spread_across(const Object& object, const RegionMeasurements& region, int
         for (const Vec3& p : slice) {
             const double x = p[1] - middle[1], y = (p[2] - middle[2]) * squeeze;
             const double turn = std::atan2(y, x) / (2 * std::numbers::pi) + 0.5;
-            polar.emplace_back(std::min(directions - 1, static_cast<std::size_t>(turn * directions)), std::hypot(x, y));
+            const auto direction = static_cast<std::size_t>(turn * static_cast<double>(distances.size()));
+            polar.emplace_back(std::min(distances.size() - 1, direction), std::hypot(x, y));
             mean += polar.back().second / static_cast<double>(slice.size());
         }
-        for (const auto& [direction, distance] : polar) {
-            sum[direction] += distance / mean;
-            count[direction] += 1;
-        }
+        for (const auto& [direction, distance] : polar) distances[direction].push_back(distance / mean);
     }
+    return distances;
+}
+
+/// Standard deviation of the means by direction over their mean; nothing where half of the directions are empty.
+double spread_of(const ByDirection& distances) {
+    constexpr std::size_t least_points = 3;
     double filled = 0, mean = 0, squares = 0;
-    for (std::size_t i = 0; i < directions; ++i) {
-        if (count[i] < 3) continue;
-        const double value = sum[i] / count[i];
+    for (const std::vector<double>& each : distances) {
+        if (each.size() < least_points) continue;
+        const double value = std::accumulate(each.begin(), each.end(), 0.0) / static_cast<double>(each.size());
         filled += 1;
         mean += value;
         squares += value * value;
     }
-    if (filled < directions / 2) return nothing;
+    if (filled < static_cast<double>(distances.size()) / 2) return nothing;
     mean /= filled;
     return std::sqrt(std::max(0.0, squares / filled - mean * mean)) / mean;
+}
+
+/// How far the sections across an axis are from ellipses; nothing without walls along it.
+double spread_across(const Object& object, const RegionMeasurements& region, int axis) {
+    constexpr double steepest = 0.7;   // beyond, a triangle is no wall along the axis
+    constexpr double outermost = 0.1;  // of the points in one direction
+    const SurfaceSamples& samples = samples_of(object, region);
+    if (axis != 2 || !is_board(region.lengths))
+        return spread_of(distances_by_direction(Slices(samples, region, axis, 6, 0.05, 0.95, steepest)));
+    const double of_rim = spread_of(distances_by_direction(Slices(samples, region, axis, 1, -1, 2, steepest)));
+    if (!std::isnan(of_rim)) return of_rim;
+    // A rim as narrow as its triangles drowns in noise; then the outline is where the points end.
+    ByDirection distances = distances_by_direction(Slices(samples, region, axis, 1, -1, 2));
+    for (std::vector<double>& each : distances) {
+        const auto kept = static_cast<std::ptrdiff_t>(std::ceil(outermost * static_cast<double>(each.size())));
+        std::ranges::nth_element(each, each.begin() + std::min(kept, std::ssize(each)), std::greater<>());
+        each.resize(static_cast<std::size_t>(kept));
+    }
+    return spread_of(distances);
 }
 
 /// Size of a cross-section.

@@ -35,6 +35,10 @@ struct Placement {
 struct SurfaceSamples {
     std::vector<Vec3> points, normals;
     std::vector<Vec3> origins;  ///< the same points on the mesh as it is
+    bool is_blurred = false;    ///< with the noise its edges and corners were rounded off
+
+    /// Where to look for outlines, which averages keep free of noise: on what still has its edges and corners.
+    [[nodiscard]] const std::vector<Vec3>& with_edges() const { return is_blurred ? origins : points; }
 };
 
 /// The surface of an object with noise taken out; the triangles are those of the mesh.
@@ -42,7 +46,8 @@ struct CalmSurface {
     TriangleMesh mesh;
     TriangleGeometry geometry;
     Adjacency adjacency;
-    double noise = 0;  ///< how far it still is from the surface before the noise, about
+    double noise = 0;         ///< how far it still is from the surface before the noise, about
+    bool is_blurred = false;  ///< with the noise its edges and corners were rounded off
 };
 
 /// A mesh ready to be asked about.

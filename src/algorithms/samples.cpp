@@ -48,6 +48,7 @@ double noise_left(const TriangleMesh& before, const TriangleMesh& after) {
 
 SurfaceSamples take_samples(const CalmSurface& surface, const Object& object, std::span<const std::int32_t> triangles) {
     SurfaceSamples samples;
+    samples.is_blurred = surface.is_blurred;
     double total = 0;
     for (const std::int32_t t : triangles) total += surface.geometry.areas[static_cast<std::size_t>(t)];
     if (!(total > 0)) return samples;
@@ -84,8 +85,10 @@ const CalmSurface& calm_surface(const Object& object) {
     surface->mesh = calm(object.mesh, surface->adjacency, surface->geometry).mesh;
     if (surface->mesh.triangles.empty())
         surface->mesh = object.mesh;
-    else
+    else {
         surface->noise = noise_left(object.mesh, surface->mesh);
+        surface->is_blurred = true;
+    }
     object.calm = std::move(surface);
     return *object.calm;
 }
@@ -98,7 +101,7 @@ const CalmSurface& surface_of(const Object& object, const RegionMeasurements& re
     object.sharp = object.calm;
     if (object.calm->noise > 0 && has_small_even_triangles(object)) {
         auto surface = std::make_shared<CalmSurface>(
-            CalmSurface{object.mesh, object.geometry, object.calm->adjacency, 0});  // its noise follows below
+            CalmSurface{object.mesh, object.geometry, object.calm->adjacency});  // its noise follows below
         if (roughness(surface->adjacency, surface->geometry) > too_rough)
             surface->mesh = calm(object.mesh, surface->adjacency, surface->geometry, 1, too_rough).mesh;
         sharpen(surface->mesh, surface->geometry);

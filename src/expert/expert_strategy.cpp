@@ -75,6 +75,22 @@ void cut(Session& session, SplitCriterion criterion) {
     session.adopt_rest();
 }
 
+/// Asks on about a region of which a question cannot be answered: other names may not hang on it.
+void name_without(Session& session, PlanOptions plan, int region, Question unanswered) {
+    std::set<Question> in_vain{unanswered};
+    plan.cost = [&in_vain, cost = plan.cost](Question question) {
+        return in_vain.contains(question) ? std::nullopt : cost(question);
+    };
+    while (true) {
+        const Space& space = session.domain().regions;
+        const Planner planner(space, plan, space.diagram ? space.all() : session.possible(region));
+        auto question = planner.best(session.possible(region));
+        while (question && session.ask(region, *question)) question = planner.best(session.possible(region));
+        if (!question) return;
+        in_vain.insert(*question);
+    }
+}
+
 void name(Session& session, SplitCriterion criterion) {
     PlanOptions plan;
     plan.criterion = criterion;
@@ -88,7 +104,10 @@ void name(Session& session, SplitCriterion criterion) {
     Planners planners(session, plan);
     for (int region = 0; region < session.region_count(); ++region)
         while (const auto question = planners.of(region, session.possible(region)).best(session.possible(region)))
-            if (!session.ask(region, *question)) break;
+            if (!session.ask(region, *question)) {
+                name_without(session, plan, region, *question);
+                break;
+            }
 }
 
 /// What to ask of regions, and what was asked in vain.

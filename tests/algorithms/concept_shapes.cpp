@@ -175,6 +175,19 @@ std::vector<KnownShape> shapes_by_form() {
     add("slender cone", sweep(ellipse(0.25, 0.25, s), 3, s, shrinking(3, 0.1)),
         {"Stick", "Cone", "Round", "Tapered", "Straight"});
     add("coarse round stick", sweep(regular(16, 0.3, 1), 2, 2), {"Stick", "Round", "Even", "Straight", "Cylinder"});
+    // Coarse meshes: where noise is smoothed away, edges of a few triangles go with it.
+    add("coarse square stick", sweep(rectangle(0.5, 0.5, 0.17), 3, 0.17),
+        {"Stick", "Vertical", "Angular", "Even", "Straight", "Solid", "Convex"});
+    add("very coarse square stick", sweep(rectangle(0.5, 0.5, 0.25), 4, 0.25),
+        {"Stick", "Angular", "Even", "Straight"});
+    add("coarse cube", sweep(rectangle(1, 1, 0.25), 1, 0.25),
+        {"Cube", "Angular", "Even", "Straight", "Solid", "Convex"});
+    add("coarse board", sweep(rectangle(2, 1.4, 0.2), 0.2, 0.2),
+        {"Board", "Horizontal", "Angular", "Even", "Straight", "Solid"});
+    add("thin board with a narrow rim", sweep(rectangle(1.2, 0.9, 0.05), 0.06, 0.06),
+        {"Board", "Horizontal", "Angular"});
+    add("thin disc with a narrow rim", sweep(ellipse(0.6, 0.6, 0.05), 0.05, 0.05), {"Board", "Horizontal", "Round"});
+    add("coarse ring", torus(0.8, 0.25, 0.12), {"Round", "Even", "Solid"});
     add("egg", egg(s), {"Cube", "Freeform", "Round", "Even", "Straight", "Convex"});
     add("slab on edge, tilted", tilted(sweep(rectangle(0.2, 1.2, s), 1.6, s), 45), {"Oblique", "Solid", "Straight"});
     add("leaning stick", tilted(cuboid(0.3, 0.3, 2.5), 35), {"Stick", "Oblique", "Straight"});

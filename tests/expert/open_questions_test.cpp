@@ -1,5 +1,5 @@
-// What cannot be measured stays open, and what hangs on it is told as open: a sheet without thickness has no section,
-// and an object without a unit no length.
+// What cannot be measured stays open, and what hangs on it is told as open: a sheet without thickness is neither solid
+// nor hollow, and an object without a unit no length.
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ const char* const head =
     "Ontology: <urn:signs>\n Import: <https://w3id.org/partonomy/core>\n"
     "DataProperty: core:length\n"
     "Class: :Plate SubClassOf: core:Region EquivalentTo: core:Region and (core:hasShape some core:Board) and "
-    "(core:hasSection some core:Round) and (core:length some xsd:double[>= 1.0])\n";
+    "(core:hasHollowness some core:Hollow) and (core:length some xsd:double[>= 1.0])\n";
 
 const std::string blanks = std::string(head) +
                            "Class: :Label SubClassOf: core:Region EquivalentTo: core:Region and (core:hasShape some "
@@ -69,7 +69,7 @@ TEST(OpenQuestions, WhatRestsOnAnAssumptionIsNotProven) {
     const std::string all = testing::PrintToString(annotation.open_questions);
     EXPECT_TRUE(has(annotation.open_questions, "perhaps Blank, if part 1 is a Label")) << all;
     EXPECT_TRUE(has(annotation.open_questions, "part 1 is assumed to be a Label: ")) << all;
-    EXPECT_TRUE(has(annotation.open_questions, "its Section cannot be measured, since it is a sheet")) << all;
+    EXPECT_TRUE(has(annotation.open_questions, "its Hollowness cannot be measured, since it is a sheet")) << all;
     EXPECT_TRUE(has(annotation.open_questions, "its length cannot be measured while the unit is unknown")) << all;
     EXPECT_NE(to_json(annotation).find("\"perhaps\": [\n"), std::string::npos);
 }
@@ -90,6 +90,26 @@ TEST(OpenQuestions, ACompositePartThatThereMayBeIsTold) {
         << testing::PrintToString(annotation.open_questions);
     const Annotation thick = annotate_square(badges, 0.05, true);
     EXPECT_FALSE(has(thick.open_questions, "Badge")) << testing::PrintToString(thick.open_questions);
+}
+
+/// What can be measured of a sheet is asked, though some of what it might be called by cannot.
+TEST(OpenQuestions, OneThatCannotBeAnsweredLeavesTheOthers) {
+    std::string text =
+        "Prefix: : <urn:sheets#>\nPrefix: core: <https://w3id.org/partonomy/core#>\n"
+        "Ontology: <urn:sheets>\n Import: <https://w3id.org/partonomy/core>\n"
+        "Class: :Some SubClassOf: core:Object EquivalentTo: core:Object and (core:hasPart some "
+        "core:Region)\n";
+    const std::vector<std::pair<std::string, std::string>> words{
+        {"Hollowness", "Hollow"}, {"Hollowness", "Solid"}, {"Section", "Angular"},       {"Orientation", "Horizontal"},
+        {"Taper", "Even"},        {"Bend", "Straight"},    {"SurfaceType", "Rectangle"}, {"Slope", "Level"}};
+    for (const auto& [range, word] : words)
+        text += "Class: :A" + word + " EquivalentTo: core:Region and (core:has" + range + " some core:" + word + ")\n";
+    const Annotation annotation = annotate_square(text, 0, true);
+    ASSERT_EQ(annotation.parts.size(), 1U);
+    std::vector<std::string> concepts = annotation.parts[0].concepts;
+    std::ranges::sort(concepts);
+    EXPECT_EQ(concepts,
+              (std::vector<std::string>{"AAngular", "AEven", "AHorizontal", "ALevel", "ARectangle", "AStraight"}));
 }
 
 }  // namespace
