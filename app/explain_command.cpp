@@ -96,36 +96,24 @@ void explain_what_is_open(const json& annotation) {
         if (!text.get<std::string>().starts_with("part ")) fmt::print("open: {}\n", text.get<std::string>());
 }
 
-/// "part 2; parts 3, 4": each part, or composite part, that has the name.
-std::vector<std::string> bearers(const json& annotation, const std::string& name) {
+/// "part 2", "parts 3, 4": each part that a count speaks of, or the pieces of each.
+std::vector<std::string> bearers(const json& count) {
     std::vector<std::string> found;
-    const auto bears = [&](const json& each) {
-        const auto concepts = each.at("concepts").get<std::vector<std::string>>();
-        return std::ranges::find(concepts, name) != concepts.end();
-    };
-    const auto is_in_a_bearer = [&](const json& part) {  // whose whole counts, not the piece
-        return std::ranges::any_of(annotation.at("composites"), [&](const json& each) {
-            return bears(each) && std::ranges::find(each.at("parts"), part.at("id")) != each.at("parts").end();
-        });
-    };
-    for (const json& part : annotation.at("parts"))
-        if (bears(part) && !is_in_a_bearer(part)) found.push_back(fmt::format("part {}", part.at("id").get<int>()));
-    for (const json& composite : annotation.at("composites"))
-        if (bears(composite)) {
-            const auto parts = composite.at("parts").get<std::vector<int>>();
-            found.push_back(fmt::format("{} {}", parts.size() == 1 ? "part" : "parts", fmt::join(parts, ", ")));
-        }
+    for (const json& each : count.at("bearers")) {
+        const auto parts = each.get<std::vector<int>>();
+        found.push_back(fmt::format("{} {}", parts.size() == 1 ? "part" : "parts", fmt::join(parts, ", ")));
+    }
     return found;
 }
 
 /// Which parts meet what the definition of what is impossible asks for, and whether there are too many or too few of
 /// some: only where it says nothing else of parts, or the number may be beside the point. Then the definition.
-void print_in_short(const json& annotation, const json& diagnosis) {
+void print_in_short(const json& diagnosis) {
     const json counts = diagnosis.value("counts", json::array());
     const bool is_alone = counts.size() == 1 && diagnosis.value("counts_are_all", false);
     for (const json& each : counts) {
         const auto name = each.at("part").get<std::string>();
-        const std::vector<std::string> all = bearers(annotation, name);
+        const std::vector<std::string> all = bearers(each);
         const std::string which = all.empty() ? "" : fmt::format(" ({})", fmt::join(all, "; "));
         const std::size_t least = each.value("at_least", std::size_t{0});
         const std::size_t most = each.value("at_most", std::numeric_limits<std::size_t>::max());
@@ -163,6 +151,16 @@ void print_answers(const json& diagnosis) {
     for (const json& each : given) names.push_back(with_article(each.get<std::string>()));
     print_list(fmt::format("answers by which {} is {}", "it", fmt::join(names, " and ")).c_str(),
                json(std::vector<json>(end, answers.end())));
+}
+
+/// What leaves the object all that it is, and what does not.
+void print_corrections(const json& diagnosis) {
+    json repairs = json::array(), others = json::array();
+    const json& texts = diagnosis.at("corrections");
+    for (std::size_t i = 0; i < texts.size(); ++i)
+        (diagnosis.at("changes").at(i).contains("lost") ? others : repairs).push_back(texts[i]);
+    print_list("what would repair it", repairs);
+    print_list("what would make it something else", others);
 }
 
 /// The parts that come nearest to one that is missing.
@@ -205,6 +203,21 @@ void print_all_explanations(const Arguments& arguments, const json& annotation) 
     }
 }
 
+/// Everything about what is impossible.
+void explain_diagnoses(const json& annotation) {
+    for (const json& diagnosis : annotation.at("diagnosis")) {
+        const auto parts = diagnosis.at("parts").get<std::vector<int>>();
+        fmt::print("impossible: {}, because of {}\n", diagnosis.at("concept").get<std::string>(),
+                   parts.empty() ? "the object as a whole" : fmt::format("part {}", fmt::join(parts, ", ")));
+        if (diagnosis.contains("comment")) fmt::print("  {}\n", diagnosis.at("comment").get<std::string>());
+        print_in_short(diagnosis);
+        print_near_parts(diagnosis);
+        print_answers(diagnosis);
+        print_corrections(diagnosis);
+        print_list("axioms that lead to it", diagnosis.at("axioms"));
+    }
+}
+
 int run_explain(const Arguments& arguments) {
     const json annotation = load_annotation(arguments.folder);
     try {
@@ -221,6 +234,7 @@ int run_explain(const Arguments& arguments) {
             for (const json& near : object.at("nearest"))
                 fmt::print("  near: {}\n", in_words({near.at("class"), near.at("lacks").get<std::vector<std::string>>(),
                                                      near.at("too_many").get<std::vector<std::string>>()}));
+        explain_diagnoses(annotation);
         bool is_found = false;
         for (const json& part : annotation.at("parts"))
             if (arguments.part == 0 || part.at("id") == arguments.part) {
@@ -239,16 +253,6 @@ int run_explain(const Arguments& arguments) {
                            fmt::join(composite.at("concepts").get<std::vector<std::string>>(), ", "));
         }
         if (arguments.part == 0) explain_what_is_open(annotation);
-        for (const json& diagnosis : annotation.at("diagnosis")) {
-            const auto parts = diagnosis.at("parts").get<std::vector<int>>();
-            fmt::print("impossible: {}, because of {}\n", diagnosis.at("concept").get<std::string>(),
-                       parts.empty() ? "the object as a whole" : fmt::format("part {}", fmt::join(parts, ", ")));
-            print_in_short(annotation, diagnosis);
-            print_near_parts(diagnosis);
-            print_answers(diagnosis);
-            print_list("axioms that lead to it", diagnosis.at("axioms"));
-            print_list("what would repair it", diagnosis.at("corrections"));
-        }
         if (arguments.all) print_all_explanations(arguments, annotation);
         return object.at("consistent").get<bool>() ? recognised : incompatible;
     } catch (const json::exception& error) {

@@ -20,6 +20,7 @@
 #include "expert/likeliest_cut.h"
 #include "expert/naming.h"
 #include "expert/open_questions.h"
+#include "expert/rule_questions.h"
 
 namespace partonomy {
 namespace {
@@ -112,9 +113,23 @@ std::vector<LearnedAnswer> learned_answers(Session& session, const knowledge::Kn
         answers.push_back({answer.region + 1, feature_name(variable),
                            variable.values[static_cast<std::size_t>(answer.question.value)], answer.yes,
                            session.answer_scores()[i], session.is_accepted(answer)});
-        if (session.is_told_in_numbers()) answers.back().measured = session.in_numbers(answer);
+        if (!session.is_told_in_numbers()) continue;
+        const InNumbers numbers = session.in_numbers(answer);
+        answers.back().measured = numbers.text;
+        answers.back().off = numbers.off;
     }
     return answers;
+}
+
+/// What was not needed to tell what the object is, and what explains why it is nothing, or impossible.
+void ask_for_explanations(Session& session) {
+    const Conclusions known = conclude(session.domain(), session.knowledge());
+    const bool is_something = std::ranges::any_of(entailed(*known.objects, known.object), [&](ConceptId c) {
+        const auto& concept_ = known.objects->concepts[static_cast<std::size_t>(c)];
+        return !concept_.incompatible && !concept_.iri.starts_with(owl::core_prefix);
+    });
+    if (!is_something && !known.contradiction && session.is_told_in_numbers()) ask_what_objects_count(session);
+    ask_what_rules_rest_on(session);
 }
 
 /// What follows when assumed names count as known; what is known alone where that contradicts the axioms.
@@ -170,6 +185,7 @@ Annotation annotate(const Domain& domain, const Catalogue& catalogue, const Obje
         session.find_connections();
     }
 
+    if (options.strategy == Strategy::expert && options.diagnose) ask_for_explanations(session);
     const knowledge::Knowledge knowledge = session.knowledge();
     const Conclusions known = conclude(domain, knowledge);
     std::vector<Naming> namings;

@@ -51,6 +51,7 @@ struct TraceEntry {
 /// Why the object is incompatible, and the cheapest way out.
 struct Diagnosis {
     std::string concept_name;  ///< local name of the incompatible concept, or "contradiction"
+    std::string comment = {};  ///< what the expert says of it (rdfs:comment)
     std::vector<int> parts;    ///< ids to blame
     /// Of the minimal explanation, in words: first those that this rule rests on, then `answers_of_given`, by which the
     /// object, or the part, is what the rule is a case of.
@@ -72,14 +73,16 @@ struct Diagnosis {
     struct Change {
         std::vector<std::size_t> answers;
         double cost = 0;
-        std::string part = {};  ///< name of the parts to add or take away; empty: answers are turned
-        int count = 0;          ///< of them to add; negative: to take away
+        std::string part = {};               ///< name of the parts to add or take away; empty: answers are turned
+        int count = 0;                       ///< of them to add; negative: to take away
+        std::vector<std::string> lost = {};  ///< local names of what the object is and would not be then
     };
     std::vector<Change> changes = {};
     /// How many parts of a name its definition asks for.
     struct Count {
         std::string part;
         std::optional<std::uint32_t> at_least, at_most;
+        std::vector<std::vector<int>> bearers = {};  ///< ids: of each part that has the name, or of its pieces
     };
     std::vector<Count> counts = {};
     bool counts_are_all = true;  ///< the definition says nothing else of parts
@@ -101,6 +104,7 @@ struct LearnedAnswer {
     double score = 1;           ///< [0.5, 1]
     bool accepted = false;      ///< a person said so
     std::string measured = {};  ///< what it rests on, as the trace words it; empty in objects of very many parts
+    double off = 0;             ///< how far that is from where the answer would turn (in_numbers.h)
 };
 
 /// All that is known about one object at the end; every output file is written from this one value.

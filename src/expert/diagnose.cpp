@@ -19,8 +19,10 @@
 #include "expert/annotate.h"
 #include "expert/nearest_name.h"
 #include "expert/rank_corrections.h"
+#include "expert/rule_questions.h"
 #include "knowledge/counted_parts.h"
 #include "owl/signature.h"
+#include "owl/words.h"
 
 namespace partonomy {
 namespace {
@@ -47,14 +49,17 @@ public:
         : session_(session),
           domain_(session.domain()),
           knowledge_(session.knowledge()),
-          corrector_(session, known),
+          corrector_(session, known, learned),
           learned_(learned) {}
 
     /// An empty IRI: why the answers contradict the axioms. `region` for a concept of regions, else -1.
     [[nodiscard]] Diagnosis diagnose(const Iri& iri, int region) const {
         Diagnosis diagnosis;
         diagnosis.concept_name = iri.empty() ? "contradiction" : owl::local_name(iri);
-        if (!iri.empty()) count(iri, diagnosis);
+        if (!iri.empty()) {
+            diagnosis.comment = comment_on(iri);
+            count(iri, diagnosis);
+        }
         if (region >= 0)
             diagnosis.parts = {region + 1};
         else if (!iri.empty())
@@ -80,10 +85,24 @@ public:
     }
 
 private:
+    /// What the expert says of a class; of several comments the first.
+    [[nodiscard]] std::string comment_on(const Iri& iri) const {
+        const auto found = domain_.ontology.annotations.find(iri);
+        if (found == domain_.ontology.annotations.end()) return {};
+        for (const owl::Annotation& each : found->second)
+            if (each.property == std::string(owl::rdfs_prefix) + "comment") return each.literal.value;
+        return {};
+    }
+
     void tell(const knowledge::Explanation& explanation, const Iri& iri, int region, Diagnosis& diagnosis) const {
         std::vector<std::size_t> answers = explanation.answers;
         const std::vector<std::size_t> of_given = answers_of_given(explanation, iri, region, diagnosis);
-        std::ranges::stable_partition(answers, [&](std::size_t i) { return !std::ranges::binary_search(of_given, i); });
+        const std::vector<const owl::Axiom*> rule = definitions_of(domain_, iri);
+        std::ranges::stable_sort(answers, {}, [&](std::size_t i) {
+            const int variable = knowledge_.answers[i].question.variable;
+            return std::pair(std::ranges::binary_search(of_given, i),
+                             !is_named_in(rule, domain_.regions.variables[static_cast<std::size_t>(variable)]));
+        });
         for (const std::size_t i : answers) diagnosis.answers.push_back(in_words(i));
         if (explanation.needs_completeness)
             diagnosis.answers.insert(diagnosis.answers.end() - static_cast<std::ptrdiff_t>(of_given.size()),
@@ -98,11 +117,9 @@ private:
     /// The classes that the definition begins with: what it is a case of.
     [[nodiscard]] std::vector<Iri> given(const Iri& iri) const {
         std::vector<Iri> found;
-        for (const owl::Axiom& axiom : domain_.ontology.axioms) {
-            if (axiom.kind != owl::AxiomKind::equivalent_classes ||
-                std::ranges::none_of(axiom.classes, [&](const auto& each) { return names(each, iri); }))
-                continue;
-            for (const owl::ClassPointer& each : axiom.classes)
+        for (const owl::Axiom* axiom : definitions_of(domain_, iri)) {
+            if (axiom->kind != owl::AxiomKind::equivalent_classes) continue;
+            for (const owl::ClassPointer& each : axiom->classes)
                 if (each->kind == owl::ClassKind::intersection_of)
                     for (const owl::ClassPointer& operand : each->operands)
                         if (operand->kind == owl::ClassKind::named && !operand->iri.starts_with(owl::core_prefix))
@@ -174,10 +191,8 @@ private:
             if (answer.yes && std::ranges::find(diagnosis.parts, answer.region + 1) != diagnosis.parts.end())
                 diagnosis.answers.push_back(in_words(i));
         }
-        for (const owl::Axiom& axiom : domain_.ontology.axioms)
-            if (axiom.kind == owl::AxiomKind::equivalent_classes &&
-                std::ranges::any_of(axiom.classes, [&](const auto& each) { return names(each, iri); }))
-                diagnosis.axioms.push_back(axiom_in_words(axiom));
+        for (const owl::Axiom* axiom : definitions_of(domain_, iri))
+            if (axiom->kind == owl::AxiomKind::equivalent_classes) diagnosis.axioms.push_back(axiom_in_words(*axiom));
     }
 
     [[nodiscard]] std::string in_words(std::size_t i) const {
@@ -210,11 +225,15 @@ private:
             }
             if (text.empty()) text = in_words(each);
             std::vector<std::string> gone;
-            for (const Iri& class_ : each.lost) gone.push_back(with_article(owl::local_name(class_)));
+            Diagnosis::Change change = each.change;
+            for (const Iri& class_ : each.lost) {
+                change.lost.push_back(owl::local_name(class_));
+                gone.push_back(with_article(change.lost.back()));
+            }
             diagnosis.corrections.push_back(
                 fmt::format("{} (cost {:.2f}{})", text, each.change.cost,
                             gone.empty() ? "" : fmt::format("; then it is not {}", fmt::join(gone, ", nor "))));
-            diagnosis.changes.push_back(each.change);
+            diagnosis.changes.push_back(std::move(change));
         }
     }
 
@@ -222,6 +241,10 @@ private:
         const knowledge::CountedParts counted = knowledge::counted_parts(domain_.ontology, iri);
         for (const knowledge::CountedPart& part : counted.parts) {
             diagnosis.counts.push_back({owl::local_name(part.iri), part.at_least, part.at_most});
+            for (std::vector<int> each : corrector_.bearers(part.iri)) {
+                for (int& region : each) ++region;
+                diagnosis.counts.back().bearers.push_back(std::move(each));
+            }
             if (!part.at_most || !session_.is_told_in_numbers()) continue;
             for (const NearestRegion& near : nearest_regions(session_, knowledge_, part.iri, most_near)) {
                 Diagnosis::NearPart& told = diagnosis.nearest.emplace_back();

@@ -201,6 +201,24 @@ void name_by_relations(Session& session, SplitCriterion criterion) {
     }
 }
 
+void ask_what_objects_count(Session& session) {
+    Askable askable(session);
+    PlanOptions about_regions;
+    about_regions.cost = askable.cost();
+    Planners planners(session, about_regions);
+    std::size_t variables = 0;
+    for (std::size_t variable = 0; variable == 0 || variable < variables;) {
+        const Conclusions known = conclude(session.domain(), session.knowledge());
+        variables = known.objects->variables.size();
+        if (known.contradiction || variables == 0) return;
+        const auto question = question_for(askable, planners, known, static_cast<int>(variable));
+        if (!question)
+            ++variable;
+        else if (!session.ask(question->first, question->second))
+            askable.put_off.insert(*question);
+    }
+}
+
 void ask_on(Session& session, SplitCriterion criterion) {
     name(session, criterion);
     name_by_relations(session, criterion);

@@ -7,7 +7,8 @@
  * that its name rests on than such that the broken rule rests on. So corrections that leave the object all that it is
  * else come first, and the others say what is lost. The search by cost may not come to the former among all the others;
  * they are tried by themselves. Whatever mends must turn an answer of the minimal explanation, so each of these is
- * turned alone, then together with the same answer about the other parts to blame.
+ * turned alone, then together with the same answer about the other parts to blame. A rule that is broken in two ways
+ * takes two answers: all that it names of the parts to blame are turned together.
  *
  * Where the rule counts parts, one more or one less may be what it takes: an aeroplane without a fin needs a fin, and
  * no answer is wrong. A part more or less costs as much as turning a certain answer. Each such correction is tried: the
@@ -20,8 +21,8 @@
 #include <set>
 #include <tuple>
 
+#include "expert/rule_questions.h"
 #include "knowledge/counted_parts.h"
-#include "owl/signature.h"
 
 namespace partonomy {
 namespace {
@@ -35,12 +36,13 @@ using owl::Iri;
 constexpr std::size_t most_corrections = 8;  // that are told for one diagnosis
 // For the corrections of one diagnosis, about 0.5 s; objects of many parts have a great many.
 constexpr std::uint64_t most_steps = 700'000;
-constexpr double never = 1'000'000;      // the cost of turning round what a person said
-constexpr double of_a_part = 0.5;        // the cost of a part more or less
-constexpr int most_parts_tried = 100;    // each trial concludes anew
-constexpr std::size_t most_trials = 32;  // for one diagnosis
-constexpr std::size_t most_counted = 8;  // parts to add, or to take away
-constexpr std::size_t most_extra = 3;    // parts to add beyond those without which the rule is broken
+constexpr double never = 1'000'000;       // the cost of turning round what a person said
+constexpr double of_a_part = 0.5;         // the cost of a part more or less
+constexpr int most_parts_tried = 100;     // each trial concludes anew
+constexpr std::size_t most_trials = 32;   // for one diagnosis
+constexpr std::size_t most_counted = 8;   // parts to add, or to take away
+constexpr std::size_t most_together = 6;  // answers that a rule names, turned at once
+constexpr std::size_t most_extra = 3;     // parts to add beyond those without which the rule is broken
 
 /// Concepts of the object that hold and are no diagnoses.
 std::vector<Iri> classes(const Conclusions& what) {
@@ -71,8 +73,8 @@ Knowledge without_regions(const Knowledge& knowledge, const std::set<int>& regio
 
 }  // namespace
 
-Corrector::Corrector(const Session& session, const Conclusions& known)
-    : session_(session), domain_(session.domain()), known_(known), knowledge_(session.knowledge()) {
+Corrector::Corrector(const Session& session, const Conclusions& known, const std::vector<LearnedAnswer>& learned)
+    : session_(session), domain_(session.domain()), known_(known), knowledge_(session.knowledge()), learned_(learned) {
     if (!known.contradiction) classes_ = domain_.most_specific(classes(known));
     for (std::size_t i = 0; i < knowledge_.answers.size(); ++i)
         costs_.push_back(session.is_accepted(knowledge_.answers[i]) ? never
@@ -87,7 +89,6 @@ const Conclusions& Corrector::turned(const std::vector<std::size_t>& answers) co
     return turned_.emplace(answers, conclude(domain_, changed)).first->second;
 }
 
-/// The parts that have a name for sure: regions, alone or those of a composite part.
 std::vector<std::vector<int>> Corrector::bearers(const Iri& name) const {
     std::vector<std::vector<int>> found;
     const auto is_one = [&](const knowledge::Space& space, const ConfigurationSet& possible) {
@@ -132,6 +133,19 @@ Conclusions Corrector::without(const std::vector<int>& regions) const {
     return conclude(domain_, without_regions(knowledge_, {regions.begin(), regions.end()}));
 }
 
+/// A name, and the names of regions below it: one more Step may have to be a Rung.
+std::vector<Iri> Corrector::kinds_of(const Iri& name) const {
+    std::vector<Iri> kinds{name};
+    const auto id = domain_.regions.find(name);
+    if (!id) return kinds;
+    const ConfigurationSet& where = domain_.regions.concepts[static_cast<std::size_t>(*id)].where;
+    for (const knowledge::Concept& each : domain_.regions.concepts)
+        if (kinds.size() < most_counted && each.iri != name && !each.iri.starts_with(owl::core_prefix) &&
+            !each.incompatible && !each.where.is_empty() && each.where.is_subset_of(where))
+            kinds.push_back(each.iri);
+    return kinds;
+}
+
 /// Where the concept's own definition counts parts: more, or fewer, of these, if that leaves the object all that it is.
 std::vector<RankedCorrection> Corrector::by_numbers_of_parts(const Iri& iri) const {
     std::vector<RankedCorrection> found;
@@ -140,34 +154,34 @@ std::vector<RankedCorrection> Corrector::by_numbers_of_parts(const Iri& iri) con
     const auto mends_and_keeps = [&](const Conclusions& after) { return mends(after, iri, -1) && lost(after).empty(); };
     for (const knowledge::CountedPart& part : knowledge::counted_parts(domain_.ontology, iri).parts) {
         const std::vector<std::vector<int>> there = bearers(part.iri);
-        const auto tell = [&](std::size_t count, int sign, std::vector<int> parts) {
-            found.push_back({{{},
-                              of_a_part * static_cast<double>(count),
-                              owl::local_name(part.iri),
-                              sign * static_cast<int>(count)},
-                             std::move(parts),
-                             {},
-                             !there.empty()});
+        const auto tell = [&](std::size_t count, int sign, std::vector<int> parts, const Iri& name) {
+            found.push_back(
+                {{{}, of_a_part * static_cast<double>(count), owl::local_name(name), sign * static_cast<int>(count)},
+                 std::move(parts),
+                 {},
+                 !there.empty()});
         };
         if (part.at_most && there.size() <= *part.at_most && *part.at_most - there.size() < most_counted) {
             const std::size_t missing = *part.at_most + 1 - there.size();
-            for (std::size_t count = missing; count <= missing + most_extra; ++count) {
-                const auto after = with_more(part.iri, count);
-                if (!after || !mends_and_keeps(*after)) continue;  // one wing breaks another rule than none
-                tell(count, 1, {});
-                break;
-            }
+            bool is_mended = false;
+            for (const Iri& name : kinds_of(part.iri))
+                for (std::size_t count = missing; !is_mended && count <= missing + most_extra; ++count) {
+                    const auto after = with_more(name, count);
+                    if (!after || !mends_and_keeps(*after)) continue;  // one wing breaks another rule than none
+                    tell(count, 1, {}, name);
+                    is_mended = true;
+                }
         }
         if (part.at_least && there.size() >= *part.at_least && there.size() - *part.at_least < most_counted) {
             const std::size_t surplus = there.size() - *part.at_least + 1;
             std::vector<int> each;
             for (std::size_t i = 0; surplus == 1 && i < std::min(there.size(), most_counted); ++i)
                 if (mends_and_keeps(without(there[i]))) each.push_back(there[i].front());
-            if (!each.empty()) tell(1, -1, std::move(each));
+            if (!each.empty()) tell(1, -1, std::move(each), part.iri);
             if (surplus == 1) continue;
             std::vector<int> first;
             for (std::size_t i = 0; i < surplus; ++i) first.insert(first.end(), there[i].begin(), there[i].end());
-            if (mends_and_keeps(without(first))) tell(surplus, -1, {});
+            if (mends_and_keeps(without(first))) tell(surplus, -1, {}, part.iri);
         }
     }
     return found;
@@ -207,66 +221,60 @@ std::vector<std::size_t> Corrector::said_alike(std::size_t answer, const std::ve
     return alike;
 }
 
-/// Corrections by answers of the explanation that leave the object all that it is.
+/// Whether a rule is kept when these are turned, and the object stays what it is.
+bool Corrector::keeps(const std::vector<std::size_t>& answers, const Iri& iri, int region) const {
+    const Conclusions& after = turned(answers);
+    return mends(after, iri, region) && lost(after).empty();
+}
+
+/// Of a set whose turning keeps the rule, those that it takes.
+std::vector<std::size_t> Corrector::fewest(std::vector<std::size_t> set, const Iri& iri, int region) const {
+    for (std::size_t i = set.size(); i-- > 0;) {
+        std::vector<std::size_t> fewer = set;
+        fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
+        if (!fewer.empty() && keeps(fewer, iri, region)) set = std::move(fewer);
+    }
+    std::ranges::sort(set);
+    return set;
+}
+
+/// Corrections by answers of the explanation that leave the object all that it is; and, of a rule that is broken in
+/// several ways, by all that it names of the parts to blame.
 std::vector<RankedCorrection> Corrector::by_answers_of(const Iri& iri, int region, const knowledge::Explanation& why,
                                                        const std::vector<int>& blamed) const {
     std::vector<RankedCorrection> found;
     if (session_.region_count() > most_parts_tried) return found;
-    std::size_t trials = 0;
-    const auto keeps = [&](const std::vector<std::size_t>& answers) {
-        ++trials;
-        const Conclusions& after = turned(answers);
-        return mends(after, iri, region) && lost(after).empty();
-    };
-    for (auto answer = why.answers.rbegin(); answer != why.answers.rend() && trials < most_trials; ++answer) {
-        std::vector<std::size_t> set{*answer};
-        if (!keeps(set)) {
-            set = said_alike(*answer, blamed);
-            if (set.size() < 2 || !keeps(set)) continue;
-            for (std::size_t i = set.size(); i-- > 0;) {  // a part of it may do
-                std::vector<std::size_t> fewer = set;
-                fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
-                if (!fewer.empty() && keeps(fewer)) set = std::move(fewer);
-            }
-            std::ranges::sort(set);
-        }
+    const auto tell = [&](std::vector<std::size_t> set) {
         double cost = 0;
         for (const std::size_t i : set) cost += costs_[i];
         const auto is_same = [&](const RankedCorrection& each) { return each.change.answers == set; };
         if (std::ranges::none_of(found, is_same)) found.push_back({{std::move(set), cost}, {}, {}});
+    };
+    const std::size_t before = turned_.size();
+    for (auto answer = why.answers.rbegin(); answer != why.answers.rend(); ++answer) {
+        if (turned_.size() - before >= most_trials) break;
+        if (keeps({*answer}, iri, region)) {
+            tell({*answer});
+            continue;
+        }
+        const std::vector<std::size_t> alike = said_alike(*answer, blamed);
+        if (alike.size() > 1 && keeps(alike, iri, region)) tell(fewest(alike, iri, region));
     }
+    const std::vector<const owl::Axiom*> rule = definitions_of(domain_, iri);
+    std::vector<std::size_t> named;
+    for (std::size_t i = 0; i < knowledge_.answers.size(); ++i)
+        if (std::ranges::find(blamed, knowledge_.answers[i].region + 1) != blamed.end() && is_named_in(rule, i))
+            named.push_back(i);
+    if (named.size() > 1 && named.size() <= most_together && keeps(named, iri, region))
+        tell(fewest(std::move(named), iri, region));
     return found;
 }
 
-std::vector<const owl::Axiom*> Corrector::definitions(const Iri& iri) const {
-    std::vector<const owl::Axiom*> found;
-    for (const owl::Axiom& axiom : domain_.ontology.axioms)
-        if (std::ranges::any_of(axiom.classes, [&](const owl::ClassPointer& each) {
-                return each->kind == owl::ClassKind::named && each->iri == iri;
-            }))
-            found.push_back(&axiom);
-    return found;
-}
-
-/// Whether axioms name what an answer is about: the property that was measured, a value of the range concept, or
-/// the relation to other parts.
 bool Corrector::is_named_in(const std::vector<const owl::Axiom*>& axioms, std::size_t answer) const {
-    const auto id = static_cast<std::size_t>(knowledge_.answers[answer].question.variable);
-    const knowledge::Variable& variable = domain_.regions.variables[id];
-    return std::ranges::any_of(axioms, [&](const owl::Axiom* axiom) {
-        if (variable.part_class)
-            return to_manchester(*axiom).find(to_manchester(*variable.part_class)) != std::string::npos;
-        bool is_named = false;
-        owl::for_each_name(*axiom, [&](const Iri& name) {
-            is_named |= name == variable.iri ||
-                        std::ranges::find(variable.values, owl::local_name(name)) != variable.values.end();
-        });
-        return is_named;
-    });
+    const int variable = knowledge_.answers[answer].question.variable;
+    return partonomy::is_named_in(axioms, domain_.regions.variables[static_cast<std::size_t>(variable)]);
 }
 
-/// Those that leave the object what it is, then the others; each by cost, of costs that are alike first what the
-/// rule itself asks for, then those about the parts to blame.
 std::vector<RankedCorrection> Corrector::ranked(const Iri& iri, int region, const knowledge::Explanation& why,
                                                 const std::vector<int>& blamed) const {
     knowledge::ExplanationOptions options;
@@ -289,7 +297,7 @@ std::vector<RankedCorrection> Corrector::ranked(const Iri& iri, int region, cons
                    return std::ranges::find(blamed, knowledge_.answers[i].region + 1) != blamed.end();
                });
     };
-    const std::vector<const owl::Axiom*> rule = definitions(iri);
+    const std::vector<const owl::Axiom*> rule = definitions_of(domain_, iri);
     const auto is_asked_by_the_rule = [&](const RankedCorrection& each) {
         return !each.change.part.empty() ||
                std::ranges::any_of(each.change.answers, [&](std::size_t i) { return is_named_in(rule, i); });
@@ -297,7 +305,9 @@ std::vector<RankedCorrection> Corrector::ranked(const Iri& iri, int region, cons
     std::erase_if(all, [](const RankedCorrection& each) { return each.change.cost >= never; });
     std::ranges::stable_sort(all, {}, [&](const RankedCorrection& each) {
         const double cost = each.change.cost;
-        return std::tuple(!each.lost.empty(), std::round(10 * cost), !is_asked_by_the_rule(each), cost,
+        double off = 0;
+        for (const std::size_t i : each.change.answers) off += learned_[i].off;
+        return std::tuple(!each.lost.empty(), std::round(10 * cost), !is_asked_by_the_rule(each), off, cost,
                           is_innocent(each));
     });
     if (all.size() > most_corrections) all.resize(most_corrections);

@@ -10,6 +10,7 @@
 #include "algorithms/related_index.h"
 #include "expert/annotation.h"
 #include "expert/final_labelling.h"
+#include "expert/in_numbers.h"
 #include "knowledge/explain.h"
 #include "knowledge/relations.h"
 
@@ -57,7 +58,7 @@ public:
     void tell_measures();
     /// What an answer rests on: of an `is a` the numbers that it measured, of a relation those of at most two tuples of
     /// regions, or that no other part is what it asks for. Empty where nothing can tell, or a person said so.
-    [[nodiscard]] std::string in_numbers(const knowledge::Answer& answer);
+    [[nodiscard]] InNumbers in_numbers(const knowledge::Answer& answer);
     /// Configurations that an answer leaves of some.
     [[nodiscard]] knowledge::ConfigurationSet narrowed(knowledge::ConfigurationSet set,
                                                        const knowledge::Answer& answer) const;
@@ -137,7 +138,7 @@ private:
     [[nodiscard]] knowledge::ConfigurationSet possible_by_answers(int region) const;
     [[nodiscard]] bool is_relation(const knowledge::Answer& answer) const;
     void leave_out(std::size_t answer, const char* why);
-    [[nodiscard]] std::string relation_in_numbers(int region, knowledge::Question question);
+    [[nodiscard]] InNumbers relation_in_numbers(int region, knowledge::Question question);
     /// Gives up answers about relations that hung on what `region` could be (`before`); and what hung on those.
     void withdraw_relations(int region, knowledge::ConfigurationSet before);
     /// What is known of a region now and was not in `before`, in words; not the answer to `asked` itself.
@@ -201,6 +202,10 @@ void name_by_relations(Session& session, knowledge::SplitCriterion criterion);
 
 /// Asks about the regions that there are until everything wanted is known or nothing more can be answered.
 void ask_on(Session& session, knowledge::SplitCriterion criterion);
+
+/// Asks what parts are by which objects are told apart, also of an object that can be none of them: what it comes
+/// nearest to is told then, and what it lacks.
+void ask_what_objects_count(Session& session);
 
 /// Cuts regions, then asks on.
 void run_expert(Session& session, knowledge::SplitCriterion criterion);

@@ -9,7 +9,6 @@
 #include <span>
 #include <utility>
 
-#include "expert/in_numbers.h"
 #include "expert/session.h"
 #include "expert/session_words.h"
 
@@ -20,7 +19,8 @@ using knowledge::ConceptId;
 using knowledge::ConfigurationSet;
 using knowledge::Question;
 
-constexpr std::size_t most_relations_told = 2;  // for one answer
+constexpr std::size_t most_relations_told = 2;       // for one answer
+constexpr std::size_t most_relations_compared = 60;  // to find these
 
 const std::string connected_iri = std::string(owl::core_prefix) + "Connected";
 
@@ -210,33 +210,44 @@ std::optional<bool> Session::ask_relation(int region, Question question) {
     return yes;
 }
 
-std::string Session::relation_in_numbers(int region, Question question) {
+InNumbers Session::relation_in_numbers(int region, Question question) {
     const knowledge::Variable& variable = domain_.regions.variables[index(question.variable)];
     const auto nodes = nodes_in_question(domain_, domain_.relational[index(variable.index)], region, possible_);
     const std::string whom = other_side_in_words(variable, domain_);
-    if (nodes.empty()) return whom.empty() ? "" : "no other part is " + whom;
-    std::vector<std::pair<double, knowledge::RelationTuple>> nearest;
+    if (nodes.empty()) return {whom.empty() ? "" : "no other part is " + whom};
+    struct Tuple {
+        double score, off;
+        std::string text;
+    };
+    std::vector<std::pair<double, knowledge::RelationTuple>> answered;
     for (const auto& [truth, node] : nodes)
         if (const auto found = related_.find(node); found != related_.end() && found->second)
-            nearest.emplace_back(-*found->second, node);
-    std::ranges::sort(nearest);
-    if (nearest.size() > most_relations_told) nearest.resize(most_relations_told);
-    std::string text;
-    for (const auto& [score, node] : nearest) {
+            answered.emplace_back(-*found->second, node);
+    std::ranges::sort(answered);
+    if (answered.size() > most_relations_compared) answered.resize(most_relations_compared);
+    std::vector<Tuple> tuples;  // those that hold, the surest first, then those that come nearest to it
+    for (const auto& [less, node] : answered) {
         std::vector<const RegionPlace*> places;
         std::string others;
         for (const int each : node.regions) {
             places.push_back(&place(each));
             if (each != region) others += (others.empty() ? "" : " and ") + region_name(each);
         }
-        const std::string numbers =
+        const InNumbers numbers =
             partonomy::relation_in_numbers(domain_.relations[node.relation].criteria, scene(), places);
-        if (!numbers.empty()) text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", others, numbers);
+        tuples.push_back({-less, numbers.off, numbers.text.empty() ? "" : others + ": " + numbers.text});
     }
-    return text;
+    std::ranges::stable_sort(
+        tuples, {}, [](const Tuple& each) { return std::pair(-each.score, each.score >= 0.5 ? -each.off : each.off); });
+    InNumbers result;
+    if (!tuples.empty()) result.off = tuples.front().off;
+    std::erase_if(tuples, [](const Tuple& each) { return each.text.empty(); });
+    for (std::size_t i = 0; i < std::min(tuples.size(), most_relations_told); ++i)
+        result.text += (i > 0 ? "; " : "") + tuples[i].text;
+    return result;
 }
 
-std::string Session::in_numbers(const knowledge::Answer& answer) {
+InNumbers Session::in_numbers(const knowledge::Answer& answer) {
     if (is_accepted(answer)) return {};
     return is_relation(answer)
                ? relation_in_numbers(answer.region, answer.question)
@@ -246,9 +257,9 @@ std::string Session::in_numbers(const knowledge::Answer& answer) {
 void Session::tell_measures() {
     if (!is_told_in_numbers()) return;
     for (const auto& [entry, region, question] : std::exchange(asked_, {}))
-        trace[entry].measured = is_a_in_numbers(domain_, catalogue_, question, object_, measurements(region));
+        trace[entry].measured = is_a_in_numbers(domain_, catalogue_, question, object_, measurements(region)).text;
     for (const auto& [entry, facts, region, question, yes] : std::exchange(told_, {})) {
-        const std::string text = relation_in_numbers(region, question);
+        const std::string text = relation_in_numbers(region, question).text;
         if (text.empty()) continue;
         std::vector<std::string>& inferred = trace[entry].inferred;
         if (facts > 0)

@@ -86,9 +86,9 @@ void write_knowledge(JsonText& json, const Annotation& annotation) {
     }
     json.end().end().array("diagnosis");
     for (const Diagnosis& diagnosis : annotation.diagnosis) {
-        json.object()
-            .member("concept", diagnosis.concept_name)
-            .member("parts", diagnosis.parts)
+        json.object().member("concept", diagnosis.concept_name);
+        if (!diagnosis.comment.empty()) json.member("comment", diagnosis.comment);
+        json.member("parts", diagnosis.parts)
             .member("answers", diagnosis.answers)
             .member("axioms", diagnosis.axioms)
             .member("corrections", diagnosis.corrections);
@@ -111,11 +111,12 @@ void write_knowledge(JsonText& json, const Annotation& annotation) {
         for (const Diagnosis::Change& change : diagnosis.changes) {
             json.object().member("answers", change.answers).member("cost", change.cost);
             if (!change.part.empty()) json.member("part", change.part).member("count", change.count);
+            if (!change.lost.empty()) json.member("lost", change.lost);
             json.end();
         }
         json.end().array("counts");
         for (const Diagnosis::Count& count : diagnosis.counts) {
-            json.object().member("part", count.part);
+            json.object().member("part", count.part).member("bearers", count.bearers);
             if (count.at_least) json.member("at_least", *count.at_least);
             if (count.at_most) json.member("at_most", *count.at_most);
             json.end();

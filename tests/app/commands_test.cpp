@@ -168,8 +168,8 @@ TEST(Explain, SaysFirstWhatThereIsTooMuchOf) {
     folder.write("twin.off", to_off(lamps().back().mesh));
     std::string text = read_file(std::filesystem::path(PARTONOMY_SOURCE_DIR) / "ontologies/lamps.omn");
     text +=
-        "\nClass: :TwoStems\n    SubClassOf: core:Incompatible\n    EquivalentTo: :TwinLamp and (core:hasPart min 2 "
-        ":Stem)\n";
+        "\nClass: :TwoStems\n    Annotations: rdfs:comment \"One hand only: saw one off.\"\n    SubClassOf: "
+        "core:Incompatible\n    EquivalentTo: :TwinLamp and (core:hasPart min 2 :Stem)\n";
     folder.write("lamps.omn", text);
     ASSERT_EQ(run_partonomy({"annotate", "twin.off", "--ontology", "lamps.omn", "-o", "out"}, folder.path()).exit_code,
               2);
@@ -178,6 +178,8 @@ TEST(Explain, SaysFirstWhatThereIsTooMuchOf) {
     EXPECT_NE(result.out.find("\n  1 too many: 2 Stem (parts "), std::string::npos) << result.out;
     EXPECT_NE(result.out.find("\n  it is defined as TwinLamp and (hasPart min 2 Stem) (lamps.omn:"), std::string::npos);
     EXPECT_LT(result.out.find("too many"), result.out.find("answers that lead to it"));
+    EXPECT_LT(result.out.find("impossible: TwoStems"), result.out.find("\npart 1 is")) << "first what is wrong";
+    EXPECT_NE(result.out.find("\n  One hand only: saw one off.\n"), std::string::npos) << result.out;
     EXPECT_NE(result.out.find(" is an Arm "), std::string::npos) << result.out;
 }
 

@@ -227,5 +227,50 @@ TEST(Corrections, WhatTheRuleRestsOnComesFirst) {
         EXPECT_TRUE(two_arms->answers[0].starts_with("part ")) << two_arms->answers[0] << part;
 }
 
+/// A rule that is broken in two ways: either alone was enough to know it, and to turn one of them mends nothing.
+TEST(Corrections, OfARuleThatIsBrokenInTwoWays) {
+    const std::string text =
+        read_file(PARTONOMY_SOURCE_DIR "/ontologies/lamps.omn") +
+        "\nClass: :BigBase\n    SubClassOf: core:Incompatible\n    EquivalentTo: :TwinLamp and "
+        "(core:hasPart some (:Base and ((core:length some xsd:double[>= 0.01]) or (core:width some "
+        "xsd:double[>= 0.02]) or (core:hasSection some core:Round))))\n";
+    const knowledge::Domain domain = knowledge::compile(owl::parse_ontology(text, "lamps.omn"));
+    const Annotation annotation = annotate(domain, make_catalogue(domain), make_object(lamps().back().mesh, {}));
+    ASSERT_EQ(annotation.diagnosis.size(), 1U);
+    expect_sound(domain, annotation);
+    Names together;
+    for (const Diagnosis::Change& change : annotation.diagnosis[0].changes) {
+        if (!change.lost.empty()) continue;
+        Names features;
+        for (const std::size_t i : change.answers) features.push_back(owl::local_name(annotation.answers[i].feature));
+        std::ranges::sort(features);
+        EXPECT_FALSE(features == Names{"length"} || features == Names{"width"} || features == Names{"Section"});
+        if (features.size() > together.size()) together = features;
+    }
+    EXPECT_EQ(together, (Names{"Section", "length", "width"})) << testing::PrintToString(together);
+}
+
+/// What is missing may be one of several kinds, of which the object allows one.
+TEST(Corrections, AddAPartOfTheRightKind) {
+    const std::string text = read_file(PARTONOMY_SOURCE_DIR "/ontologies/lamps.omn") +
+                             "\nClass: :Bulb\n    EquivalentTo: core:Region and (core:hasShape some core:Cube) and "
+                             "(core:hasPosition some core:Down) and (not :HoodWall)\n"
+                             "Class: :Light\n    EquivalentTo: :Bulb or :Arm\n"
+                             "Class: :Bright\n    SubClassOf: core:Object\n    EquivalentTo: :TwinLamp and "
+                             "(core:hasPart max 0 :Bulb)\n"
+                             "Class: :Dim\n    SubClassOf: core:Incompatible\n    EquivalentTo: :Bright and "
+                             "(core:hasPart max 8 :Light)\n";
+    const knowledge::Domain domain = knowledge::compile(owl::parse_ontology(text, "lamps.omn"));
+    const Annotation annotation = annotate(domain, make_catalogue(domain), make_object(lamps().back().mesh, {}));
+    ASSERT_EQ(annotation.diagnosis.size(), 1U);
+    const Diagnosis& dim = annotation.diagnosis[0];
+    ASSERT_EQ(dim.counts.size(), 1U);
+    const std::size_t arms = dim.counts[0].bearers.size();
+    EXPECT_GT(arms, 0U) << "each Arm is a Light";
+    const std::string wanted = std::to_string(9 - arms) + " more Arm (cost ";
+    EXPECT_TRUE(std::ranges::any_of(dim.corrections, [&](const std::string& each) { return each.starts_with(wanted); }))
+        << wanted << testing::PrintToString(dim.corrections);
+}
+
 }  // namespace
 }  // namespace partonomy
