@@ -15,14 +15,18 @@
 // around the edge. A triangle that runs down the edge (from the larger vertex index to the smaller) has its inside at
 // growing angle, one that runs up has it at falling angle; so "down" opens a wedge of solid and the next "up" closes
 // it, and the two are matched like brackets on a circle. Two boxes that touch along an edge thus stay two solids, also
-// when they touch side to side: of walls at the same angle, those that close a wedge come first. What finds no partner,
-// such as the third wall at a T-joint of sheets, is left open.
+// when they touch side to side: of walls at the same angle, those that close a wedge come first. Angles are the same up
+// to what coordinates of single precision leave of them: short triangles far from the origin turn by 1e-4. What finds
+// no partner, such as the third wall at a T-joint of sheets, is left open.
 
 namespace partonomy {
 namespace {
 
+constexpr double same = 1e-6, most_blur = 0.01;  // radians
+constexpr double rounding = 2.5e-7;              // of a coordinate: twice what single precision or seven digits keep
+
 struct Spoke {
-    double angle;
+    double angle, blur;  ///< in radians; how far rounded coordinates may turn it
     std::int32_t half_edge;
     bool up;
 };
@@ -39,24 +43,30 @@ std::vector<Spoke> spokes_around(const TriangleMesh& mesh, std::span<const std::
     };
     const bool first_up = runs_up(mesh.triangles, half_edges.front());
     const Vec3& low = point(half_edges.front(), first_up ? 0 : 1);
-    const Vec3 axis = (point(half_edges.front(), first_up ? 1 : 0) - low).normalized();
+    const Vec3 edge = point(half_edges.front(), first_up ? 1 : 0) - low, axis = edge.normalized();
     const Vec3 x = axis.unitOrthogonal(), y = axis.cross(x);
     std::vector<Spoke> spokes;
     for (const std::int32_t h : half_edges) {
         const Vec3 spoke = point(h, 2) - low;
-        spokes.push_back({std::atan2(spoke.dot(y), spoke.dot(x)), h, runs_up(mesh.triangles, h)});
+        const double across = std::hypot(spoke.dot(x), spoke.dot(y));
+        // The tip moves, and so do the ends of the edge, the more the farther the tip is from between them.
+        const double lever = 1 + std::abs(spoke.dot(axis)) / edge.norm();
+        const double blur = across > 0 ? rounding * low.cwiseAbs().maxCoeff() * lever / across : 0;
+        spokes.push_back(
+            {std::atan2(spoke.dot(y), spoke.dot(x)), std::min(same + blur, most_blur), h, runs_up(mesh.triangles, h)});
     }
     const auto by_angle = [](const Spoke& a, const Spoke& b) {
         return a.angle != b.angle ? a.angle < b.angle : a.half_edge < b.half_edge;
     };
     std::sort(spokes.begin(), spokes.end(), by_angle);
     // What lies side by side up to rounding gets one angle, and one solid ends before the next begins.
-    constexpr double same = 1e-6, turn = 2 * std::numbers::pi;
+    constexpr double turn = 2 * std::numbers::pi;
     for (Spoke& spoke : spokes)
-        if (spoke.angle > spokes.front().angle + turn - same) spoke.angle -= turn;
+        if (spoke.angle > spokes.front().angle + turn - std::max(spoke.blur, spokes.front().blur)) spoke.angle -= turn;
     std::sort(spokes.begin(), spokes.end(), by_angle);
     for (std::size_t i = 1; i < spokes.size(); ++i)
-        if (spokes[i].angle < spokes[i - 1].angle + same) spokes[i].angle = spokes[i - 1].angle;
+        if (spokes[i].angle < spokes[i - 1].angle + std::max(spokes[i].blur, spokes[i - 1].blur))
+            spokes[i].angle = spokes[i - 1].angle;
     std::stable_sort(spokes.begin(), spokes.end(), [](const Spoke& a, const Spoke& b) {
         return a.angle != b.angle ? a.angle < b.angle : a.up && !b.up;
     });

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -80,6 +81,24 @@ TEST(BuildAdjacency, BoxesThatTouchAlongAnEdgeStayTwoSolids) {
         EXPECT_EQ(reached(adjacency, 0).size(), 12U);
         EXPECT_EQ(reached(adjacency, 12).size(), 12U);
         EXPECT_EQ(*reached(adjacency, 12).begin(), 12);
+    }
+}
+
+// Coordinates of single precision far from the origin turn what is thin by more than they turn what is thick.
+TEST(BuildAdjacency, ThinSolidsSideBySideStayApartThoughCoordinatesAreRounded) {
+    for (unsigned seed = 1; seed <= 100; ++seed) {
+        SCOPED_TRACE(seed);
+        std::mt19937 random(seed);
+        std::uniform_real_distribution<double> any(0, 1);
+        PolygonSoup three = joined(joined(box(Vec3(0, 0, 0), Vec3(1, 1, 1)), box(Vec3(0, 0, 1), Vec3(1, 1, 1.04))),
+                                   box(Vec3(1, 0, 1), Vec3(2, 1, 1.04)));
+        const Eigen::AngleAxisd turn(6.3 * any(random), Vec3(any(random), any(random), any(random)).normalized());
+        const Vec3 shift = 200 * Vec3(any(random), any(random), any(random)) - Vec3(100, 100, 100);
+        for (Vec3& position : three.positions) position = (turn * position + shift).cast<float>().cast<double>();
+        MeshReport report;
+        const TriangleMesh mesh = cleaned(three, report);
+        const Adjacency adjacency = build_adjacency(mesh);
+        for (const std::int32_t first : {0, 12, 24}) EXPECT_EQ(reached(adjacency, first).size(), 12U) << first;
     }
 }
 
