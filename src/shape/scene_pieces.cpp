@@ -6,8 +6,9 @@
 // ways stays apart. Shells that touch nowhere are apart anyhow.
 //
 // A side most of whose outline is concave is a piece of its own even where the rest of its outline is convex: the
-// bottom of a recess that reaches the foot of a wall, the road between two kerbs that ends with the ground. Single
-// triangles are not taken for such sides: on a coarse bumpy tree top each triangle is a side.
+// bottom of a recess that reaches the foot of a wall, the road between two kerbs that ends with the ground. What counts
+// is the longest loop of its outline: the feet of houses within the ground do not make it end. Single triangles are not
+// taken for such sides: on a coarse bumpy tree top each triangle is a side.
 //
 // A piece is plain when no two large sides of it (a hundredth of its surface each) meet in a concave crease: a box, a
 // ball, a wall with windows carved into it. The others (a house with two wings, a bench whose legs are flush with its
@@ -51,7 +52,7 @@ constexpr double much_larger = 3;     // in area
 constexpr double faces_alike = 0.99;  // cosine
 
 struct Side {
-    double area = 0, outline = 0, concave = 0;
+    double area = 0, outline = 0, concave = 0;  // the latter two of the longest loop of its outline
     std::int32_t triangles = 0;
     Vec3 normal = Vec3::Zero();  // sum over its area
 };
@@ -60,6 +61,40 @@ struct Border {
     double convex = 0, concave = 0;
 };
 using Borders = std::map<std::pair<std::int32_t, std::int32_t>, Border>;
+
+/// An edge of a side's outline.
+struct Rim {
+    std::int32_t side, from, to;
+    double length;
+    bool is_concave;
+};
+
+/// The longest loop of each side's outline: how long it is, and how much of it is concave.
+void measure_outlines(std::vector<Rim>& rims, std::vector<Side>& sides) {
+    std::ranges::stable_sort(rims, {}, &Rim::side);
+    std::vector<std::int32_t> corners;
+    for (std::size_t begin = 0, end = 0; begin < rims.size(); begin = end) {
+        corners.clear();
+        for (end = begin; end < rims.size() && rims[end].side == rims[begin].side; ++end)
+            corners.insert(corners.end(), {rims[end].from, rims[end].to});
+        std::ranges::sort(corners);
+        corners.erase(std::ranges::unique(corners).begin(), corners.end());
+        const auto number_of = [&](std::int32_t corner) {
+            return static_cast<std::int32_t>(std::ranges::lower_bound(corners, corner) - corners.begin());
+        };
+        Union loops(corners.size());
+        for (std::size_t i = begin; i < end; ++i) loops.join(number_of(rims[i].from), number_of(rims[i].to));
+        std::vector<double> length(corners.size(), 0), concave(corners.size(), 0);
+        for (std::size_t i = begin; i < end; ++i) {
+            const std::int32_t loop = loops.find(number_of(rims[i].from));
+            length[loop] += rims[i].length;
+            if (rims[i].is_concave) concave[loop] += rims[i].length;
+        }
+        const auto longest = std::ranges::max_element(length) - length.begin();
+        sides[rims[begin].side].outline = length[longest];
+        sides[rims[begin].side].concave = concave[longest];
+    }
+}
 
 /// Sides that would join two much larger ones that face the same way; with which of those each goes.
 std::map<std::int32_t, std::int32_t> bridges(const std::vector<Side>& sides, const Borders& borders) {
@@ -113,6 +148,7 @@ std::vector<ScenePiece> scene_pieces(const TriangleMesh& mesh, const Adjacency& 
         ++side.triangles;
     }
     Borders borders;
+    std::vector<Rim> rims;
     for_each_edge([&](std::int32_t i, std::int32_t j, int e) {
         const std::int32_t a = side_of[i], b = side_of[j];
         if (a == b) return;
@@ -122,11 +158,10 @@ std::vector<ScenePiece> scene_pieces(const TriangleMesh& mesh, const Adjacency& 
         const bool is_concave = across.dot(geometry.normals[i]) > across.dot(geometry.normals[j]);
         Border& border = borders[std::minmax(a, b)];
         (is_concave ? border.concave : border.convex) += length;
-        for (const std::int32_t side : {a, b}) {
-            measured[side].outline += length;
-            if (is_concave) measured[side].concave += length;
-        }
+        for (const std::int32_t side : {a, b})
+            rims.push_back({side, corners[e], corners[(e + 1) % 3], length, is_concave});
     });
+    measure_outlines(rims, measured);
     const auto stands_alone = [&](std::int32_t side) {
         return measured[side].triangles > 1 && measured[side].concave > mostly * measured[side].outline;
     };
