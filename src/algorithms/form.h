@@ -30,6 +30,8 @@ namespace partonomy {
 /// Share of the area in patches of a kind; and that of the most frequent kind but freeform.
 [[nodiscard]] double kind_share(const Object& object, const RegionMeasurements& region, SurfaceKind kind);
 [[nodiscard]] double primitive_share(const Object& object, const RegionMeasurements& region);
+/// How far round its axis the largest cylinder or cone goes with what is concentric with it, in degrees; 0 without one.
+[[nodiscard]] double arc(const Object& object, const RegionMeasurements& region);
 /// Of the largest flat patch.
 [[nodiscard]] Outline largest_outline(const Object& object, const RegionMeasurements& region);
 

@@ -6,12 +6,14 @@
  * cylinder, cone or sphere all the same, as the tip of a long cone does. A whole part has all of its sides: a long
  * round stick is cylinder but for its ends. A region that is one patch is of one kind altogether. How well the largest
  * flat patch fills its smallest rectangle and circle tells rectangles from discs: a square fills 0.64 of its circle, a
- * disc 0.79 of its rectangle. */
+ * disc 0.79 of its rectangle. How far a cylinder or cone goes round is the share of directions from its axis in which
+ * triangles lie, so that facets of any width count whole: a hole has 360 degrees, a rounded corner 90. */
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "algorithms/form.h"
 
@@ -90,6 +92,43 @@ double primitive_share(const Object& object, const RegionMeasurements& region) {
          {SurfaceKind::flat, SurfaceKind::cylinder, SurfaceKind::sphere, SurfaceKind::cone, SurfaceKind::torus})
         most = std::max(most, kind_share(object, region, kind));
     return most;
+}
+
+double arc(const Object& object, const RegionMeasurements& region) {
+    constexpr int directions = 720;
+    const auto is_round = [](const Patch& patch) {
+        return patch.primitive.kind == SurfaceKind::cylinder || patch.primitive.kind == SurfaceKind::cone;
+    };
+    const Patch* largest = nullptr;
+    for (const Patch& patch : patches_of(object, region))
+        if (is_round(patch) && (!largest || patch.area > largest->area)) largest = &patch;
+    if (!largest) return 0;
+    const TriangleMesh& mesh = surface_of(object, region).mesh;
+    const Vec3 axis = largest->primitive.axis, x = axis.unitOrthogonal(), y = axis.cross(x);
+    const auto direction_of = [&](std::int32_t vertex) {
+        const Vec3 way = mesh.positions[static_cast<std::size_t>(vertex)] - largest->primitive.point;
+        return std::atan2(way.dot(y), way.dot(x)) / (2 * std::numbers::pi) * directions;
+    };
+    std::array<bool, directions> is_met{};
+    for (const Patch& patch : patches_of(object, region)) {
+        if (&patch != largest &&
+            !(patch.primitive.kind == largest->primitive.kind && are_concentric(largest->primitive, patch.primitive)))
+            continue;
+        for (const std::int32_t triangle : patch.triangles) {
+            const auto& corners = mesh.triangles[static_cast<std::size_t>(triangle)];
+            for (std::size_t e = 0; e < 3; ++e) {
+                const double from = direction_of(corners[e]);
+                const double way = std::remainder(direction_of(corners[(e + 1) % 3]) - from, directions);
+                const int steps = static_cast<int>(std::ceil(std::abs(way)));
+                for (int i = 0; i < steps; ++i) {
+                    const double at = from + way * (i + 0.5) / steps;
+                    is_met[static_cast<std::size_t>(std::floor(at - directions * std::floor(at / directions))) %
+                           directions] = true;
+                }
+            }
+        }
+    }
+    return 360.0 / directions * static_cast<double>(std::ranges::count(is_met, true));
 }
 
 Outline largest_outline(const Object& object, const RegionMeasurements& region) {

@@ -103,6 +103,35 @@ TEST(Form, WallsOfHolesAreConcave) {
         }
 }
 
+/// How far round a wall goes is counted in whole facets, whatever their number and the noise.
+TEST(Form, ArcsOfWholeAndPartialWalls) {
+    for (const int around : {24, 36, 64})
+        for (const double noise : {0.0, 0.002}) {
+            const TriangleMesh clean =
+                solids::revolve(solids::polygon({{0.3, 0}, {0.5, 0}, {0.5, 0.4}, {0.3, 0.4}}, 0.05), around, false);
+            std::mt19937 random(7);
+            const TriangleMesh mesh = solids::disturbed(clean, noise, random);
+            for (const double part : {90.0, 180.0, 360.0}) {
+                SCOPED_TRACE(std::to_string(around) + " facets, " + std::to_string(part) + " degrees, noise " +
+                             std::to_string(noise));
+                const Whole wall(mesh, 1, [&](std::size_t t) {
+                    double turned = 0;
+                    for (const std::int32_t v : clean.triangles[t]) {
+                        const Vec3& p = clean.positions[static_cast<std::size_t>(v)];
+                        if (p.head<2>().norm() < 0.499) return false;
+                        const Vec3 middle = (clean.positions[static_cast<std::size_t>(clean.triangles[t][0])] +
+                                             clean.positions[static_cast<std::size_t>(clean.triangles[t][1])] +
+                                             clean.positions[static_cast<std::size_t>(clean.triangles[t][2])]) /
+                                            3;
+                        turned = std::atan2(middle.y(), middle.x()) * 180 / pi;
+                    }
+                    return (turned < 0 ? turned + 360 : turned) < part;
+                });
+                EXPECT_NEAR(arc(wall.object, wall.measured), part, 8);
+            }
+        }
+}
+
 TEST(Form, VolumesOfClosedAndOpenShapes) {
     const TriangleMesh stick = solids::sweep(solids::ellipse(0.3, 0.3, 0.02), 2, 0.05);
     const double volume = pi * 0.09 * 2;
