@@ -56,7 +56,8 @@ double trimmed_end(std::vector<std::pair<double, double>>& ends, double spare) {
     return ends.back().first;
 }
 
-/// Extent in height, and the area of the convex outline seen from above. Cleaning left no vertex without a triangle.
+/// Extent in height, of a scene from the ground, and the area of the convex outline seen from above. Cleaning left no
+/// vertex without a triangle.
 void stand(Object& object) {
     object.heights = object.is_scene ? height_direction(object) : object.placement.up;
     object.low = std::numeric_limits<double>::infinity();
@@ -71,6 +72,7 @@ void stand(Object& object) {
         plan.emplace_back(position.dot(x), position.dot(y));
     }
     object.footprint = hull_area(std::move(plan));
+    if (object.is_scene) object.low = ground_level(object).value_or(object.low);
 }
 
 }  // namespace
