@@ -1,6 +1,8 @@
 // Parts that are one after all.
 //
-// A part that faces another one for a good deal of its area lies across it in the same solid: two walls of one leg. Two
+// A part that faces another one for a good deal of its area lies across it in the same solid: two walls of one leg.
+// Where a concave crease is between them the way must not be longer than a part is thick: a rail under a floor faces
+// the floor's upper side through both. Two
 // sticks are one when they are in line and pass into each other over most of their common border, without a concave
 // crease; when one of them is a stump without a direction and they lie to both sides of a ring, like two halves of a
 // stick that was sawn through; or when they lie in the same place, as do the two pairs of walls of a stick whose edges
@@ -356,15 +358,27 @@ struct Encounters {
     std::vector<double> area;
     std::vector<double> border, free;  ///< length to parts, and to none
     PairMap<double> seen;              ///< area of the first that faces the second
+    PairMap<double> seen_through;      ///< of sticks, so far away on a board that the way may lead through both
     Borders borders;
 };
+
+/// Whether a way from wall to wall is so long that it may lead through one part and then through the other, as from the
+/// underside of a rail to the upper side of the floor that it carries.
+bool goes_through_both(double way, const Core& a, const Core& b) {
+    const auto [thin, thick] = std::minmax(a.thickness, b.thickness);
+    return way > thick + thin / 2;
+}
 
 void count_encounter(const Surface& s, const Parts& parts, std::size_t i, Encounters& all) {
     const std::int32_t own = parts.part_of[i], o = s.thickness.opposites[i];
     if (own < 0) return;
     all.area[own] += s.geometry.areas[i];
-    if (o >= 0 && parts.part_of[o] >= 0 && parts.part_of[o] != own)
-        all.seen.at(own, parts.part_of[o]) += s.geometry.areas[i];
+    if (o >= 0 && parts.part_of[o] >= 0 && parts.part_of[o] != own) {
+        const std::int32_t other = parts.part_of[o];
+        const bool is_far = parts.parts[own].kind == Solidity::stick && parts.parts[other].kind == Solidity::board &&
+                            goes_through_both(s.thickness.distances[i], parts.parts[own], parts.parts[other]);
+        (is_far ? all.seen_through : all.seen).at(own, other) += s.geometry.areas[i];
+    }
     for (int e = 0; e < 3; ++e) {
         const std::int32_t j = s.adjacency.neighbours[i][e];
         if (j < 0 || parts.part_of[j] == own) continue;
@@ -386,11 +400,11 @@ void count_encounter(const Surface& s, const Parts& parts, std::size_t i, Encoun
 Encounters count_encounters(const Surface& s, const Parts& parts) {
     const std::vector<double> none(parts.parts.size(), 0.0);
     const auto of_blocks = map_blocks(s.count(), s.threads, [&](std::size_t begin, std::size_t end) {
-        Encounters some{none, none, none, {}, {}};
+        Encounters some{none, none, none, {}, {}, {}};
         for (std::size_t i = begin; i < end; ++i) count_encounter(s, parts, i, some);
         return some;
     });
-    Encounters all{none, none, none, {}, {}};
+    Encounters all{none, none, none, {}, {}, {}};
     for (const Encounters& some : of_blocks) {
         for (std::size_t k = 0; k < none.size(); ++k) {
             all.area[k] += some.area[k];
@@ -398,9 +412,17 @@ Encounters count_encounters(const Surface& s, const Parts& parts) {
             all.free[k] += some.free[k];
         }
         all.seen += some.seen;
+        all.seen_through += some.seen_through;
         all.borders += some.borders;
     }
     return all;
+}
+
+/// Whether two parts meet along a concave crease, as far as can be told before borders lie on creases.
+bool is_creased(const Borders& borders, const std::pair<std::int32_t, std::int32_t>& pair) {
+    constexpr double least = 0.2;
+    const auto border = borders.all.find(pair);
+    return border != borders.all.end() && border->second.smooth < (1 - least) * border->second.length;
 }
 
 }  // namespace
@@ -412,7 +434,9 @@ void merge_parts(const Surface& s, Parts& parts) {
     const double unlike = is_noisy ? 2.5 : 1.8;
     for (bool changed = true; changed;) {
         changed = false;
-        auto [area, border, free, seen, borders] = count_encounters(s, parts);
+        auto [area, border, free, seen, seen_through, borders] = count_encounters(s, parts);
+        for (const auto& [pair, facing_area] : seen_through.all)
+            if (!is_creased(borders, pair)) seen.at(pair.first, pair.second) += facing_area;
         std::vector<Lie> lie;  // for the few borders that ask
         const auto lie_of = [&](std::int32_t part) -> const Lie& {
             if (lie.empty()) lie = lies(s, parts);
