@@ -240,6 +240,7 @@ private:
                 add(FindingKind::gap, false, {range.iri}, place_of(range.iri),
                     gap + ", so a part there gets the one that is left when the others are denied",
                     "let their memberships meet");
+            look_at_values_that_both_fit(range);
             std::vector<Iri> unused, unanswered;
             std::vector<std::size_t> users;
             for (std::size_t v = 0; v < range.values.size(); ++v) {
@@ -258,6 +259,19 @@ private:
             if (unused.empty() || is_needed || is_core(range.iri)) continue;
             add(FindingKind::unused, false, unused, place_of(unused.front()),
                 "no axiom asks for " + list_of(local_names(unused)) + " of " + name, "leave them out, or use them");
+        }
+    }
+
+    void look_at_values_that_both_fit(const RangeConcept& range) {
+        for (const auto& [one, other, where] : values_that_both_fit(range)) {
+            const Iri &first = range.values[one].iri, &second = range.values[other].iri;
+            if (is_core(first) && is_core(second)) continue;
+            const long line = place_of(first).line;
+            add(FindingKind::both_fit, true, {first, second}, place_of(second),
+                where + " both " + owl::local_name(first) + (line > 0 ? " (line " + std::to_string(line) + ")" : "") +
+                    " and " + owl::local_name(second) + " fit fully, though a part has one " +
+                    owl::local_name(range.iri) + " only",
+                "let their memberships meet, the one falling where the other rises: 4 7 inf inf beside -inf -inf 4 7");
         }
     }
 
@@ -376,7 +390,7 @@ std::string to_text(FindingKind kind) {
     static const char* const words[]{"refused",           "contradiction", "unsatisfiable", "unprovable",
                                      "indistinguishable", "unanswerable",  "unknown term",  "left aside",
                                      "universal",         "gap",           "unused",        "uncounted",
-                                     "overlapping",       "own side"};
+                                     "overlapping",       "own side",      "both fit"};
     return words[static_cast<std::size_t>(kind)];
 }
 

@@ -22,7 +22,8 @@ enum class FindingKind {
     unused,             ///< no axiom asks for a concept, a value or a property
     uncounted,          ///< the configurations of a layer are too many to count
     overlapping,        ///< something may be a member of several concepts
-    own_side,           ///< a relation that names the side on which the part itself is, and not the other one
+    own_side,           ///< a relation whose other side is not named, or only the one on which the part itself is
+    both_fit,           ///< a measurement that two values of a range fit fully
 };
 
 /// "unsatisfiable", "unknown term" …

@@ -17,6 +17,32 @@ std::string text_of(double x) {
     return {buffer, std::to_chars(buffer, buffer + sizeof buffer, x, std::chars_format::general, 6).ptr};
 }
 
+/// "between 2 and 5 of l0/l1", "up to 40 of inclination", "for any inclination".
+std::string interval_words(double from, double to, const std::string& measure) {
+    if (from == to) return "at " + text_of(from) + " of " + measure;
+    const bool is_low = std::isfinite(from), is_high = std::isfinite(to);
+    if (is_low && is_high) return "between " + text_of(from) + " and " + text_of(to) + " of " + measure;
+    if (is_low) return "from " + text_of(from) + " of " + measure + " on";
+    return is_high ? "up to " + text_of(to) + " of " + measure : "for any " + measure;
+}
+
+/// Where both values fit with a score of 1, in words; empty where they never do, and where the one is measured by
+/// something that the other is not.
+std::string where_both_fit(const ElementaryConcept& one, const ElementaryConcept& other) {
+    if (one.criteria.empty() || one.criteria.size() != other.criteria.size()) return {};
+    std::string words;
+    for (const Criterion& a : one.criteria) {
+        if (std::ranges::count(one.criteria, a.measure, &Criterion::measure) > 1) return {};
+        const auto b = std::ranges::find(other.criteria, a.measure, &Criterion::measure);
+        if (b == other.criteria.end()) return {};
+        const double from = std::max(a.a2, b->a2), to = std::min(a.a3, b->a3);
+        const bool is_same = a.a1 == b->a1 && a.a2 == b->a2 && a.a3 == b->a3 && a.a4 == b->a4;
+        if (!(from < to) && !is_same) return {};  // values may meet in a number
+        words += (words.empty() ? "" : " and ") + interval_words(from, to, a.measure);
+    }
+    return words;
+}
+
 }  // namespace
 
 std::string gap_between_values(const RangeConcept& range) {
@@ -39,6 +65,15 @@ std::string gap_between_values(const RangeConcept& range) {
         reached = std::max(reached, fit.to);
     }
     return {};
+}
+
+std::vector<ValuesThatBothFit> values_that_both_fit(const RangeConcept& range) {
+    std::vector<ValuesThatBothFit> found;
+    for (std::size_t one = 0; one < range.values.size(); ++one)
+        for (std::size_t other = one + 1; other < range.values.size(); ++other)
+            if (std::string where = where_both_fit(range.values[one], range.values[other]); !where.empty())
+                found.push_back({one, other, std::move(where)});
+    return found;
 }
 
 }  // namespace partonomy::knowledge

@@ -2,11 +2,12 @@
 
    Names wait for each other when each is defined by a relation to the other: what a name awaits is closed under what
    those names await, and a name that awaits itself is in a circle. A relation that says twice what the part itself is
-   says nothing of what it lies to. */
+   says nothing of what it lies to; one that names no other side at all may mean that. */
 
 #include "knowledge/lint_relations.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "knowledge/assembly.h"
@@ -24,14 +25,15 @@ public:
     std::vector<Finding> run() {
         look_at_silent_relations();
         look_at_waiting_names();
-        look_at_own_sides();
+        look_at_sides();
         return std::move(findings_);
     }
 
 private:
-    void add(FindingKind kind, std::vector<Iri> concepts, owl::Source where, std::string what, std::string advice) {
+    void add(FindingKind kind, std::vector<Iri> concepts, owl::Source where, std::string what, std::string advice,
+             bool is_wrong = true) {
         findings_.push_back(
-            {kind, true, std::move(concepts), std::move(where), std::move(what), std::move(advice), {}});
+            {kind, is_wrong, std::move(concepts), std::move(where), std::move(what), std::move(advice), {}});
     }
 
     /// Relations that no algorithm tells.
@@ -55,12 +57,12 @@ private:
     struct Rests {
         std::set<int> names, relations;
     };
-    void collect(FormulaId id, Rests& rests, bool into_names = true) const {
+    void collect(FormulaId id, Rests& rests) const {
         const Formula& formula = theory_.formulas[id];
-        for (const FormulaId operand : formula.operands) collect(operand, rests, into_names);
+        for (const FormulaId operand : formula.operands) collect(operand, rests);
         const int relation = formula.index - static_cast<int>(theory_.ranges.size() + theory_.numbers.size());
         if (formula.kind == Formula::Kind::choice && relation >= 0) rests.relations.insert(relation);
-        if (formula.kind != Formula::Kind::named || !rests.names.insert(formula.index).second || !into_names) return;
+        if (formula.kind != Formula::Kind::named || !rests.names.insert(formula.index).second) return;
         if (const FormulaId definition = theory_.concepts[formula.index].definition; definition >= 0)
             collect(definition, rests);
     }
@@ -127,24 +129,46 @@ private:
                                    [&](const NodeTest& operand) { return speaks_of_own_side(operand, feature); });
     }
 
+    static bool speaks_of_a_side(const NodeTest& test) {
+        return test.kind == NodeTest::Kind::target || test.kind == NodeTest::Kind::references ||
+               std::ranges::any_of(test.operands, speaks_of_a_side);
+    }
+
+    /// Relations that a formula speaks of outside of names, and whether it asks for any of them to hold.
+    void collect_sides(FormulaId id, bool holds, std::map<int, bool>& relations) const {
+        const Formula& formula = theory_.formulas[id];
+        for (const FormulaId operand : formula.operands)
+            collect_sides(operand, holds != (formula.kind == Formula::Kind::negation), relations);
+        if (formula.kind == Formula::Kind::parts) collect_sides(formula.index, holds, relations);
+        const int relation = formula.index - static_cast<int>(theory_.ranges.size() + theory_.numbers.size());
+        if (formula.kind != Formula::Kind::choice || relation < 0) return;
+        relations[relation] |= holds == formula.values.has(0);
+        for (const FormulaId other : theory_.relational_classes[relation]) collect_sides(other, true, relations);
+    }
+
     /// Relations whose other side is never named: "isTargetRegion some (LongerThan and inverse isTargetRegion some
-    /// Leg)".
-    void look_at_own_sides() {
+    /// Leg)", "isTargetRegion some Connected". That nothing is connected, or three parts are, may well be meant.
+    void look_at_sides() {
         if (theory_.relational.empty()) return;
         for (const NamedConcept& named : theory_.concepts) {
-            if (named.level != Level::region || named.definition < 0) continue;
-            Rests own;
-            collect(named.definition, own, false);
-            for (const int relation : own.relations) {
+            if (named.open || named.definition < 0 || named.iri.starts_with(owl::core_prefix)) continue;
+            std::map<int, bool> relations;
+            collect_sides(named.definition, true, relations);
+            for (const auto& [relation, holds] : relations) {
                 const RelationalFeature& feature = theory_.relational[relation];
-                if (!speaks_of_own_side(feature.test, feature)) continue;
                 const std::string side = feature.of_target ? "isTargetRegion" : "isReferenceRegion";
                 const std::string other = feature.of_target ? "isReferenceRegion" : "isTargetRegion";
-                add(FindingKind::own_side, {named.iri}, place_of_(named.iri),
-                    "in \"" + to_manchester(*feature.as_written) + "\" inverse (" + side +
-                        ") is the part itself once more, so nothing is said of what it lies to",
-                    "write inverse (" + other +
-                        ") for the other side, and what the part itself is outside of the relation");
+                const std::string written = "in \"" + to_manchester(*feature.as_written) + "\" ";
+                if (speaks_of_own_side(feature.test, feature))
+                    add(FindingKind::own_side, {named.iri}, place_of_(named.iri),
+                        written + "inverse (" + side +
+                            ") is the part itself once more, so nothing is said of what it lies to",
+                        "write inverse (" + other +
+                            ") for the other side, and what the part itself is outside of the relation");
+                else if (holds && feature.threshold == 1 && !speaks_of_a_side(feature.test))
+                    add(FindingKind::own_side, {named.iri}, place_of_(named.iri),
+                        written + "the other side is not named, so any part whatever will do",
+                        "name it by and (inverse (" + other + ") some …) if that is not meant", false);
             }
         }
     }

@@ -74,6 +74,34 @@ TEST(Check, AForgottenTickAWrongMeasureAndAGap) {
     EXPECT_NE(gap.find("nothing wrong found"), std::string::npos) << gap;
 }
 
+TEST(Check, ValuesThatBothFit) {
+    const TemporaryFolder folder;
+    const auto check = [&](const std::string& other) {
+        folder.write("o.omn",
+                     "Prefix: : <urn:s#>\nPrefix: core: <https://w3id.org/partonomy/core#>\nOntology: <urn:s>\n"
+                     "Import: <https://w3id.org/partonomy/core>\n"
+                     "Class: :Run SubClassOf: core:Feature DisjointUnionOf: :Climbing, :Crossing\n"
+                     "Class: :Climbing Annotations: core:measure \"inclination\", core:membership \"" +
+                         other +
+                         "\"\n"
+                         "Class: :Crossing Annotations: core:measure \"inclination\", core:membership \"-inf -inf 35 "
+                         "45\"\n"
+                         "ObjectProperty: :hasRun Characteristics: Functional Range: :Run\n"
+                         "Class: :Rail SubClassOf: core:Region EquivalentTo: core:Region and (:hasRun some :Climbing)\n"
+                         "Class: :Ladder SubClassOf: core:Object EquivalentTo: core:Object and (core:hasPart some "
+                         ":Rail)\n");
+        return run_partonomy({"check", "o.omn"}, folder.path());
+    };
+    const ProgramResult fine = check("35 45 inf inf");
+    EXPECT_EQ(fine.exit_code, 0) << fine.out;
+    const ProgramResult wrong = check("-inf -inf 35 45");
+    EXPECT_EQ(wrong.exit_code, 1);
+    EXPECT_NE(wrong.out.find("wrong: o.omn:7: up to 35 of inclination both Climbing (line 6) and Crossing fit fully, "
+                             "though a part has one Run only; let their memberships meet"),
+              std::string::npos)
+        << wrong.out;
+}
+
 TEST(Check, MisspeltPropertiesGetTheNearestName) {
     const std::map<std::string, std::string> nearest{{"core:heigth some xsd:double[>= 1.0]", "height"},
                                                      {":heigth some xsd:double[>= 1.0]", "height"},
@@ -183,6 +211,19 @@ TEST(Check, SidesOfARelation) {
         expect(related("inverse (core:" + own + ") some :Pot"), 1,
                "inverse (" + own + ") is the part itself once more");
         expect(related("core:" + other + " some :Pot"), 1, "write inverse (" + other + ") some Pot");
+        const std::string unnamed = "core:" + own + " some core:LongerThan";
+        const std::string remark = "remark: pots.omn:8: in \"" + own +
+                                   " some LongerThan\" the other side is not named, so any part whatever will do; "
+                                   "name it by and (inverse (" +
+                                   other + ") some …) if that is not meant";
+        expect(unnamed, 0, remark);
+        expect(related("inverse (core:" + other + ") some (" + unnamed + ")"), 0, remark);
+        for (const std::string meant :
+             {"not (" + unnamed + ")", "core:" + own + " max 0 core:LongerThan",
+              "core:" + own + " min 2 core:LongerThan", related("inverse (core:" + other + ") some core:Region")}) {
+            const ProgramResult result = check(meant);
+            EXPECT_EQ(result.out.find("other side"), std::string::npos) << meant << "\n" << result.out;
+        }
     }
     const auto between = [](int count) {
         return "core:isTargetRegion some (core:Between and (inverse (core:isReferenceRegion) min " +
@@ -192,6 +233,22 @@ TEST(Check, SidesOfARelation) {
     expect(between(3), 1, "since Between links one target and two references; ask for no more of either");
     expect("core:isReferenceRegion some (core:Between and (inverse (core:isReferenceRegion) some :Pot))", 0,
            "nothing wrong found");  // the other reference, which may be a Pot
+}
+
+TEST(Check, SidesOfARelationInARule) {
+    const TemporaryFolder folder;
+    folder.write("pots.omn",
+                 "Prefix: : <http://x.org/p#>\nPrefix: core: <https://w3id.org/partonomy/core#>\n"
+                 "Ontology: <http://x.org/p>\n  Import: <https://w3id.org/partonomy/core>\n"
+                 "Class: :Pot\n  SubClassOf: core:Region\n  EquivalentTo: core:Region and (core:hasShape some "
+                 "core:Cube)\n"
+                 "Class: :Jar\n  SubClassOf: core:Object\n  EquivalentTo: core:Object and (core:hasPart some "
+                 "(:Pot and (core:isTargetRegion some core:Connected)))\n");
+    const ProgramResult result = run_partonomy({"check", "pots.omn"}, folder.path());
+    EXPECT_NE(result.out.find("remark: pots.omn:8: in \"isTargetRegion some Connected\" the other side is not named"),
+              std::string::npos)
+        << result.out;
+    EXPECT_EQ(result.exit_code, 0) << result.out;
 }
 
 TEST(Check, ARelationWithoutAnAlgorithmHasALineAndARowInTheCatalogue) {

@@ -70,6 +70,35 @@ TEST(Lint, AGapBetweenMembershipsIsARemark) {
     EXPECT_EQ(gap_between_values(closed), "");
     range.covered = false;  // another value is left for it
     EXPECT_EQ(gap_between_values(range), "");
+    range.covered = true;  // ratios below 1 and above 100 do not occur: nobody need fit them
+    range.values = {value("Slender", 5, 7, 100, 100), value("Stocky", 1, 1, 5, 7)};
+    EXPECT_EQ(gap_between_values(range), "");
+}
+
+TEST(Lint, NoMeasurementFitsTwoValuesFully) {
+    constexpr double inf = std::numeric_limits<double>::infinity();
+    const auto said = [](std::vector<Criterion> one, std::vector<Criterion> other) {
+        RangeConcept range{mini::iri("S"), mini::iri("hasS"), {}, false};
+        range.values = {{mini::iri("A"), std::move(one), {}, {}}, {mini::iri("B"), std::move(other), {}, {}}};
+        const std::vector<ValuesThatBothFit> found = values_that_both_fit(range);
+        return found.empty() ? "" : found.front().where;
+    };
+    EXPECT_EQ(said({{"tilt", -inf, -inf, 35, 45}}, {{"tilt", -inf, -inf, 35, 45}}), "up to 35 of tilt");
+    EXPECT_EQ(said({{"tilt", 4, 7, inf, inf}}, {{"tilt", 2, 3, inf, inf}}), "from 7 of tilt on");
+    EXPECT_EQ(said({{"tilt", 4, 7, inf, inf}}, {{"tilt", 2, 3, 9, 10}}), "between 7 and 9 of tilt");
+    EXPECT_EQ(said({{"tilt", -inf, -inf, inf, inf}}, {{"tilt", -inf, -inf, inf, inf}}), "for any tilt");
+    EXPECT_EQ(said({{"tilt", 1, 2, 2, 3}}, {{"tilt", 1, 2, 2, 3}}), "at 2 of tilt");
+    // As it should be: slopes that cross, slopes that overlap, values that meet in a number.
+    EXPECT_EQ(said({{"tilt", 4, 7, inf, inf}}, {{"tilt", -inf, -inf, 4, 7}}), "");
+    EXPECT_EQ(said({{"tilt", 3, 7, inf, inf}}, {{"tilt", -inf, -inf, 5, 9}}), "");
+    EXPECT_EQ(said({{"tilt", 5, 5, inf, inf}}, {{"tilt", -inf, -inf, 5, 5}}), "");
+    EXPECT_EQ(said({{"tilt", 4, 7, inf, inf}}, {{"span", 4, 7, inf, inf}}), "");
+    EXPECT_EQ(said({}, {}), "");  // known by exclusion, or told by a plugin
+    // With two criteria one that parts them is enough.
+    const Criterion level{"tilt", -inf, -inf, 4, 7}, aslant{"tilt", 4, 7, inf, inf}, wide{"span", 1, 2, inf, inf};
+    EXPECT_EQ(said({level, wide}, {wide, aslant}), "");
+    EXPECT_EQ(said({level, wide}, {wide, level}), "up to 4 of tilt and from 2 of span on");
+    EXPECT_EQ(said({level, wide}, {level}), "");
 }
 
 }  // namespace
