@@ -218,7 +218,7 @@ TEST(Check, SidesOfARelation) {
                                    other + ") some …) if that is not meant";
         expect(unnamed, 0, remark);
         expect(related("inverse (core:" + other + ") some (" + unnamed + ")"), 0, remark);
-        for (const std::string meant :
+        for (const std::string& meant :
              {"not (" + unnamed + ")", "core:" + own + " max 0 core:LongerThan",
               "core:" + own + " min 2 core:LongerThan", related("inverse (core:" + other + ") some core:Region")}) {
             const ProgramResult result = check(meant);

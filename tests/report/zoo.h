@@ -102,11 +102,12 @@ inline Annotated broken_bench() {
     add_box(object, -1, Vec3(0.4, 0.1, 0.45), Vec3(0.7, 0.3, 0.6));
     object.annotation.consistent = false;
     object.annotation.classes.push_back("FootIncompatibleFurnitures");
-    object.annotation.diagnosis = {{"FootIncompatibleFurnitures",
-                                    {4},
-                                    {"part 4 is a Board"},
-                                    {"Leg SubClassOf: not Board (furniture.ttl:120)"},
-                                    {"part 4 is a Stick", "part 4 does not exist"}}};
+    Diagnosis& diagnosis = object.annotation.diagnosis.emplace_back();
+    diagnosis.concept_name = "FootIncompatibleFurnitures";
+    diagnosis.parts = {4};
+    diagnosis.answers = {"part 4 is a Board"};
+    diagnosis.axioms = {"Leg SubClassOf: not Board (furniture.ttl:120)"};
+    diagnosis.corrections = {"part 4 is a Stick", "part 4 does not exist"};
     object.annotation.open_questions = {"is part 4 Modular: no algorithm answers it"};
     for (AnnotatedPart& part : object.annotation.parts) {
         part.triangles.clear();
