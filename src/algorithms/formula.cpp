@@ -16,6 +16,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <limits>
+
 #include "algorithms/formula_parser.h"
 #include "algorithms/relations.h"
 #include "base/spelling.h"
@@ -58,6 +61,18 @@ void fail_at_word(const std::string& word, const std::string& text, std::span<co
                 throw OntologyError(fmt::format("there is no measure \"{}\"{}", phrase, did_you_mean({phrase}, names)));
     if (!why.empty()) throw OntologyError(why);
     throw OntologyError(fmt::format("there is no measure \"{}\"{}", word, did_you_mean(written, names, Nearness::any)));
+}
+
+void fail_at_phrase(const std::string& phrase, const std::string& word, std::span<const std::string> names) {
+    const auto nearest = [&](const std::string& written) {
+        std::size_t least = std::numeric_limits<std::size_t>::max();
+        for (const std::string& name : names) least = std::min(least, distance_in_words(written, name));
+        return least;
+    };
+    constexpr std::size_t longest = 150;
+    if (phrase.size() > longest || nearest(phrase) > nearest(word)) return;
+    if (const std::string meant = did_you_mean({phrase}, names); !meant.empty())
+        throw OntologyError(fmt::format("there is no measure \"{}\"{}", phrase, meant));
 }
 
 namespace {

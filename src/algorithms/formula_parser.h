@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <cmath>
@@ -32,6 +33,11 @@ struct FormulaUnit {
 [[noreturn]] void fail_at_word(const std::string& word, const std::string& text, std::span<const std::string> names,
                                const std::string& why);
 
+/// Throws what is thrown for a phrase that begins with a measure and goes on with a word, where the phrase comes at
+/// least as near to a measure as the word alone does: "length inclinaton". Nothing where a sign is missing between two
+/// measures.
+void fail_at_phrase(const std::string& phrase, const std::string& word, std::span<const std::string> names);
+
 /// Reads formulas over measures of one kind; see formula.cpp.
 template <typename M>
 class FormulaParser {
@@ -46,6 +52,7 @@ public:
     FormulaOver<M> parse() {
         const FormulaUnit unit = sum();
         skip_blanks();
+        fail_if_name_goes_on();
         if (at_ < text_.size()) fail(fmt::format("there should be + - * / before \"{}\"", text_.substr(at_)));
         formula_.unit = to_text(unit);
         formula_.needs_metres |= unit.metres != 0;
@@ -107,7 +114,10 @@ private:
             formula_.steps.push_back({Operation::negate});
         } else if (take('(')) {
             unit = sum();
-            if (!take(')')) fail("a ) is missing");
+            if (!take(')')) {
+                fail_if_name_goes_on();
+                fail("a ) is missing");
+            }
         } else if (const M* measure = name()) {
             formula_.steps.push_back({Operation::measure, measure});
             unit = formula_unit(measure->unit);
@@ -132,8 +142,28 @@ private:
                 (!longest || word.size() > std::string_view(longest->name).size()))
                 longest = &measure;
         }
-        if (longest) at_ += std::string_view(longest->name).size();
+        if (longest) {
+            name_begins_ = at_;
+            name_ends_ = at_ += std::string_view(longest->name).size();
+        }
         return longest;
+    }
+
+    /// "length inclinaton" is not the measure "length" without a sign behind it.
+    void fail_if_name_goes_on() {
+        skip_blanks();
+        if (at_ >= text_.size() || !is_part_of_word(text_[at_]) || name_ends_ == 0 ||
+            text_.find_first_not_of(" \t\n\r", name_ends_) != at_)
+            return;
+        std::size_t end = std::min(text_.find_first_of("+-*/()", at_), text_.size());
+        while (std::isspace(static_cast<unsigned char>(text_[end - 1]))) --end;
+        const std::string word = text_.substr(at_, end - at_);
+        fail_at_phrase(text_.substr(name_begins_, name_ends_ - name_begins_) + " " + word, word, names());
+    }
+    [[nodiscard]] std::vector<std::string> names() const {
+        std::vector<std::string> found;
+        for (const M& measure : measures_) found.push_back(measure.name);
+        return found;
     }
 
     double number() {
@@ -149,15 +179,14 @@ private:
         if (word.empty())
             fail(at_ < text_.size() ? fmt::format("a measure or a number should stand before \"{}\"", text_.substr(at_))
                                     : std::string("it ends where a measure or a number should stand"));
-        std::vector<std::string> names;
-        for (const M& measure : measures_) names.push_back(measure.name);
-        fail_at_word(word, text_, names, elsewhere_(word));
+        fail_at_word(word, text_, names(), elsewhere_(word));
     }
 
     const std::string& text_;
     std::span<const M> measures_;
     std::function<std::string(const std::string&)> elsewhere_;
     std::size_t at_ = 0;
+    std::size_t name_begins_ = 0, name_ends_ = 0;  ///< of the last measure that was read
     int depth_ = 0;
     FormulaOver<M> formula_;
 };

@@ -105,6 +105,17 @@ TEST(Formula, ErrorsNameWhatIsWrong) {
     // A hyphen for a blank, alone and within a combination.
     expect_error("length-share", "did you mean \"length share\"?");
     expect_error("2 * length-share / extent", "did you mean \"length share\"?");
+    // A name that begins with another: a missing sign only where what follows is a measure, too.
+    expect_error("length inclinaton",
+                 "there is no measure \"length inclinaton\"; did you mean \"length inclination\"?");
+    expect_error("90 - length inclinaton",
+                 "there is no measure \"length inclinaton\"; did you mean \"length inclination\"?");
+    expect_error("(length  inclinaton ) / 2", "did you mean \"length inclination\"?");
+    expect_error("length Inclination", "did you mean \"length inclination\"?");
+    expect_error("length width", "there should be + - * / before \"width\"");
+    expect_error("length widht", "there should be + - * / before \"widht\"");
+    expect_error("(length width", "a ) is missing");
+    expect_error("length 2", "there should be + - * / before \"2\"");
     expect_error("Level_Height", "did you mean \"level height\"?");
     expect_error("top height - inclination", "it subtracts m and degrees");
     expect_error("area + length", "it adds m2 and m");
