@@ -80,7 +80,18 @@ std::string Ontology::label(const Iri& subject, const std::string& language) con
 Ontology load_ontology(const std::filesystem::path& path, const LoadOptions& options) {
     const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
     const std::string bytes = read_file(path);
-    Ontology ontology = merge(read_with_imports(bytes, path.string(), folder, options));
+    const auto read = [&](const LoadOptions& how) {
+        return merge(read_with_imports(bytes, path.string(), folder, how));
+    };
+    Ontology ontology;
+    try {
+        ontology = read(options);
+    } catch (const OntologyError&) {
+        if (options.whole_core) throw;
+        LoadOptions whole = options;  // what a misspelt name may mean is told by all names of core
+        whole.whole_core = true;
+        ontology = read(whole);
+    }
     ontology.sha256 = sha256(bytes);
     return ontology;
 }

@@ -29,6 +29,28 @@ std::vector<std::string> lines_of(const std::string& text) {
     return lines;
 }
 
+TEST(Annotate, MisspeltNamesAreToldAsByCheck) {
+    const TemporaryFolder folder;
+    folder.write("bench.off", to_off(object("bench").mesh));
+    for (const char* wrong : {"core:isTargetRegion some (core:ShorterThan and (inverse (core:isReferenceRegion) "
+                              "some core:Region))",
+                              "core:hasShape some core:Stik", "core:heigth some xsd:double[>= 1.0]"}) {
+        folder.write("o.omn",
+                     "Prefix: : <urn:s#>\nPrefix: core: <https://w3id.org/partonomy/core#>\n"
+                     "Prefix: xsd: <http://www.w3.org/2001/XMLSchema#>\nOntology: <urn:s>\n"
+                     "Import: <https://w3id.org/partonomy/core>\n"
+                     "Class: :CutShorterThan SubClassOf: core:Relation\n"
+                     "Class: :Handle SubClassOf: core:Region EquivalentTo: core:Region and (" +
+                         std::string(wrong) + ")\n");
+        const ProgramResult checked = run_partonomy({"check", "o.omn"}, folder.path());
+        const ProgramResult annotated =
+            run_partonomy({"annotate", "bench.off", "--ontology", "o.omn", "-o", "out"}, folder.path());
+        EXPECT_EQ(annotated.exit_code, 1);
+        EXPECT_EQ(annotated.err, checked.err);
+        EXPECT_NE(checked.err.find("did you mean"), std::string::npos) << checked.err;
+    }
+}
+
 TEST(Annotate, BenchEndToEnd) {
     const TemporaryFolder folder;
     folder.write("bench.off", to_off(object("bench").mesh));
