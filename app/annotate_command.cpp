@@ -163,9 +163,13 @@ void doubt_unit(const Arguments& arguments, const Knowhow& knowhow, const Input&
     if (arguments.unit_is_told || input.unit != "m" || knowhow.domain.is_about_scenes) return;
     if (std::ranges::none_of(knowhow.catalogue.algorithms, &ElementaryAlgorithm::needs_metres)) return;
     const Bounds bounds = compute_bounds(input.object.mesh);
-    if (const double length = (bounds.high - bounds.low).maxCoeff(); length > too_long)
-        annotation.mesh_notes.push_back(fmt::format(
-            "Read as {:.0f} m long, since no --unit was told, and sizes are asked for; is it --unit mm?", length));
+    const double length = (bounds.high - bounds.low).maxCoeff();
+    if (length <= too_long) return;
+    constexpr double longest_likely = 10;  // metres
+    const bool may_be_cm = length / 100 <= longest_likely;
+    annotation.mesh_notes.push_back(fmt::format(
+        "Read as {:.0f} m long, since no --unit was told, and sizes are asked for; is it --unit mm ({:.3g} m){}?",
+        length, length / 1000, may_be_cm ? fmt::format(" or --unit cm ({:.3g} m)", length / 100) : ""));
 }
 
 /// What may keep objects from being anything: concepts that none can be, or that nothing proves.

@@ -39,8 +39,9 @@ RelationWords words_of_relation(const Variable& variable, const Domain& domain) 
     const owl::ClassExpression& whole = *variable.part_class;
     RelationWords words;
     const bool of_target = domain.relational[static_cast<std::size_t>(variable.index)].of_target;
-    if (whole.kind != owl::ClassKind::some_values_from || whole.operands[0]->kind != owl::ClassKind::intersection_of ||
-        whole.operands[0]->operands.size() != 2)
+    const bool is_counted = of_target && whole.kind == owl::ClassKind::min_cardinality;
+    if ((whole.kind != owl::ClassKind::some_values_from && !is_counted) ||
+        whole.operands[0]->kind != owl::ClassKind::intersection_of || whole.operands[0]->operands.size() != 2)
         return words;
     for (const owl::ClassPointer& each : whole.operands[0]->operands) {
         const owl::ClassExpression& operand = *each;
@@ -48,9 +49,12 @@ RelationWords words_of_relation(const Variable& variable, const Domain& domain) 
         if (operand.kind == owl::ClassKind::some_values_from && is_other_side)
             words.whom = whom_words(*operand.operands[0]);
         for (const Relation& relation : domain.relations)
-            if (operand.kind == owl::ClassKind::named && operand.iri == relation.iri)
+            if (operand.kind == owl::ClassKind::named && operand.iri == relation.iri &&
+                (!is_counted || relation.arity == 2))
                 words.question = relation.question;
     }
+    if (is_counted && !words.whom.empty())
+        words.whom = "at least " + std::to_string(whole.number) + words.whom.substr(words.whom.find(' '));
     return words;
 }
 
@@ -62,8 +66,8 @@ std::string asked_of(const std::string& whom, const std::string& question) {
     return question.substr(0, place + 1) + whom + question.substr(place + 3) + " it";
 }
 
-/// "is it above a Seat", or, of the region as a reference, "is a Seat above it", where the relation has a wording and
-/// the other side is named in a few words; else the expression as written.
+/// "is it above a Seat", "does it touch at least 2 Rail", or, of the region as a reference, "is a Seat above it", where
+/// the relation has a wording and the other side is named in a few words; else the expression as written.
 std::string relation_words(const Variable& variable, const Domain& domain) {
     const auto [question, whom] = words_of_relation(variable, domain);
     if (question.empty() || whom.empty()) return "is it so: " + to_manchester(*variable.part_class);
@@ -74,6 +78,7 @@ std::string relation_words(const Variable& variable, const Domain& domain) {
 }  // namespace
 
 std::string other_side_in_words(const Variable& variable, const Domain& domain) {
+    if (variable.part_class->kind != owl::ClassKind::some_values_from) return {};
     return words_of_relation(variable, domain).whom;
 }
 

@@ -212,7 +212,7 @@ TEST(Check, SidesOfARelation) {
                "inverse (" + own + ") is the part itself once more");
         expect(related("core:" + other + " some :Pot"), 1, "write inverse (" + other + ") some Pot");
         const std::string unnamed = "core:" + own + " some core:LongerThan";
-        const std::string remark = "remark: pots.omn:8: in \"" + own +
+        const std::string remark = "remark: pots.omn:10: in \"" + own +
                                    " some LongerThan\" the other side is not named, so any part whatever will do; "
                                    "name it by and (inverse (" +
                                    other + ") some …) if that is not meant";
@@ -245,7 +245,7 @@ TEST(Check, SidesOfARelationInARule) {
                  "Class: :Jar\n  SubClassOf: core:Object\n  EquivalentTo: core:Object and (core:hasPart some "
                  "(:Pot and (core:isTargetRegion some core:Connected)))\n");
     const ProgramResult result = run_partonomy({"check", "pots.omn"}, folder.path());
-    EXPECT_NE(result.out.find("remark: pots.omn:8: in \"isTargetRegion some Connected\" the other side is not named"),
+    EXPECT_NE(result.out.find("remark: pots.omn:10: in \"isTargetRegion some Connected\" the other side is not named"),
               std::string::npos)
         << result.out;
     EXPECT_EQ(result.exit_code, 0) << result.out;

@@ -257,11 +257,14 @@ TEST(Relations, AnswersAreEntailments) {
 
 /// A question about a relation is worded from either side.
 TEST(Relations, InWords) {
-    const auto worded = [](const std::string& question, const std::string& role, const std::string& other) {
+    const auto worded = [](const std::string& question, const std::string& role, const std::string& other,
+                           unsigned count = 0) {
         Ontology ontology = start();
+        const owl::ClassPointer node = both({name("Above"), inverse(some(other, "P0"))});
+        const owl::ClassPointer relation =
+            count > 0 ? mini::make(owl::ClassKind::min_cardinality, role, {node}, count) : some(role, node);
         if (!question.empty()) ontology.note("Above", "question", question);
-        ontology.same("X", both({name("P1"), some(role, both({name("Above"), inverse(some(other, "P0"))}))}))
-            .same("Q", both({name("Object"), some("hasPart", "X")}));
+        ontology.same("X", both({name("P1"), relation})).same("Q", both({name("Object"), some("hasPart", "X")}));
         const Domain domain = compile(ontology.result);
         for (std::size_t v = 0; v < domain.regions.variables.size(); ++v)
             if (domain.regions.variables[v].kind == VariableKind::relation)
@@ -273,6 +276,8 @@ TEST(Relations, InWords) {
     EXPECT_EQ(worded("has it the size of", "isReferenceRegion", "isTargetRegion"), "has a P0 the size of it");
     EXPECT_EQ(worded("higher than", "isReferenceRegion", "isTargetRegion"), "higher than this (asked of a P0)");
     EXPECT_EQ(worded("", "isTargetRegion", "isReferenceRegion").substr(0, 10), "is it so: ");
+    EXPECT_EQ(worded("does it touch", "isTargetRegion", "isReferenceRegion", 2), "does it touch at least 2 P0");
+    EXPECT_EQ(worded("does it touch", "isReferenceRegion", "isTargetRegion", 2).substr(0, 10), "is it so: ");
 }
 
 TEST(Relations, AsksNoMoreThanItNeeds) {
