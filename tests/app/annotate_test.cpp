@@ -51,6 +51,26 @@ TEST(Annotate, MisspeltNamesAreToldAsByCheck) {
     }
 }
 
+TEST(Annotate, ADoubtfulUnitIsToldWithWhatIsAsLikely) {
+    const auto note = [](const std::string& length) {
+        const TemporaryFolder folder;
+        folder.write("o.omn",
+                     "Prefix: : <urn:s#>\nPrefix: core: <https://w3id.org/partonomy/core#>\n"
+                     "Prefix: xsd: <http://www.w3.org/2001/XMLSchema#>\nOntology: <urn:s>\n"
+                     "Import: <https://w3id.org/partonomy/core>\n"
+                     "Class: :Rod SubClassOf: core:Region EquivalentTo: core:Region and (core:length some "
+                     "xsd:double[>= 1.0])\n"
+                     "Class: :Pin SubClassOf: core:Object EquivalentTo: core:Object and (core:hasPart some :Rod)\n");
+        folder.write("pin.off",
+                     "OFF\n4 4 0\n0 0 0\n" + length + " 0 0\n0 5 0\n0 0 5\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+        return run_partonomy({"annotate", "pin.off", "--ontology", "o.omn", "-o", "out"}, folder.path()).err;
+    };
+    const std::string likely = note("263"), long_one = note("2630"), short_one = note("26");
+    EXPECT_NE(likely.find("is it --unit mm (0.263 m) or --unit cm (2.63 m)?"), std::string::npos) << likely;
+    EXPECT_NE(long_one.find("is it --unit mm (2.63 m)?"), std::string::npos) << long_one;
+    EXPECT_EQ(short_one.find("--unit"), std::string::npos) << short_one;
+}
+
 TEST(Annotate, BenchEndToEnd) {
     const TemporaryFolder folder;
     folder.write("bench.off", to_off(object("bench").mesh));
