@@ -385,6 +385,11 @@ TEST(Explain, SaysHowFarOffARelationIs) {
     EXPECT_NE(folder_of_one.err.find("name one of them: out/lamp"), std::string::npos) << folder_of_one.err;
 }
 
+/// A stick of 1 m along x.
+const char* const lying_bar =
+    "OFF\n8 6 0\n0 0 0\n1 0 0\n1 .1 0\n0 .1 0\n0 0 .1\n1 0 .1\n1 .1 .1\n0 .1 .1\n"
+    "4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
+
 /// A lying stick where posts stand: what was measured of it, and what it would be.
 TEST(Explain, SaysWhatWasMeasuredAndWhatRefusesTheNearestName) {
     const TemporaryFolder folder;
@@ -402,9 +407,7 @@ Class: :Fence
     SubClassOf: core:Object
     EquivalentTo: core:Object and (core:hasPart some :Post)
 )");
-    folder.write("bar.off",
-                 "OFF\n8 6 0\n0 0 0\n1 0 0\n1 .1 0\n0 .1 0\n0 0 .1\n1 0 .1\n1 .1 .1\n0 .1 .1\n"
-                 "4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
+    folder.write("bar.off", lying_bar);
     EXPECT_EQ(run_partonomy({"annotate", "bar.off", "--ontology", "posts.omn", "-o", "out"}, folder.path()).exit_code,
               2);
     const ProgramResult result = run_partonomy({"explain", "out/bar", "--part", "1"}, folder.path());
@@ -441,9 +444,7 @@ Class: :Fence
     SubClassOf: core:Object
     EquivalentTo: core:Object and (core:hasPart some :Post)
 )");
-    folder.write("bar.off",
-                 "OFF\n8 6 0\n0 0 0\n1 0 0\n1 .1 0\n0 .1 0\n0 0 .1\n1 0 .1\n1 .1 .1\n0 .1 .1\n"
-                 "4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n");
+    folder.write("bar.off", lying_bar);
     EXPECT_EQ(run_partonomy({"annotate", "bar.off", "--ontology", "posts.omn", "-o", "out"}, folder.path()).exit_code,
               2);
     const ProgramResult result = run_partonomy({"explain", "out/bar"}, folder.path());

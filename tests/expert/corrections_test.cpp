@@ -174,19 +174,25 @@ TEST(Corrections, NumbersOfParts) {
     EXPECT_FALSE(either.counts_are_all);
 }
 
+/// The twin lamp, by the ontology of lamps and what else a test says.
+std::pair<knowledge::Domain, Annotation> twin_lamp_with(const std::string& text) {
+    knowledge::Domain domain = knowledge::compile(
+        owl::parse_ontology(read_file(PARTONOMY_SOURCE_DIR "/ontologies/lamps.omn") + text, "lamps.omn"));
+    Annotation annotation = annotate(domain, make_catalogue(domain), make_object(lamps().back().mesh, {}));
+    return {std::move(domain), std::move(annotation)};
+}
+
 /// What a rule rests on comes first, then what makes the object a case of it. The second opinion: the latter alone make
 /// it that, and no break of the rule.
 TEST(Corrections, WhatTheRuleRestsOnComesFirst) {
     const std::string text =
-        read_file(PARTONOMY_SOURCE_DIR "/ontologies/lamps.omn") +
         "\nClass: :HighBulb\n    EquivalentTo: core:Region and (core:hasShape some core:Stick) and "
         "(core:height some xsd:double[>= 9.0])\n"
         "Class: :NoBulb\n    SubClassOf: core:Incompatible\n    EquivalentTo: :TwinLamp and "
         "(core:hasPart max 0 :HighBulb)\n"
         "Class: :TwoArms\n    SubClassOf: core:Incompatible\n    EquivalentTo: :TwinLamp and "
         "(core:hasPart min 2 :Arm)\n";
-    const knowledge::Domain domain = knowledge::compile(owl::parse_ontology(text, "lamps.omn"));
-    const Annotation annotation = annotate(domain, make_catalogue(domain), make_object(lamps().back().mesh, {}));
+    const auto [domain, annotation] = twin_lamp_with(text);
     ASSERT_EQ(annotation.diagnosis.size(), 2U);
     for (const Diagnosis& diagnosis : annotation.diagnosis) {
         SCOPED_TRACE(diagnosis.concept_name);
@@ -230,12 +236,10 @@ TEST(Corrections, WhatTheRuleRestsOnComesFirst) {
 /// A rule that is broken in two ways: either alone was enough to know it, and to turn one of them mends nothing.
 TEST(Corrections, OfARuleThatIsBrokenInTwoWays) {
     const std::string text =
-        read_file(PARTONOMY_SOURCE_DIR "/ontologies/lamps.omn") +
         "\nClass: :BigBase\n    SubClassOf: core:Incompatible\n    EquivalentTo: :TwinLamp and "
         "(core:hasPart some (:Base and ((core:length some xsd:double[>= 0.01]) or (core:width some "
         "xsd:double[>= 0.02]) or (core:hasSection some core:Round))))\n";
-    const knowledge::Domain domain = knowledge::compile(owl::parse_ontology(text, "lamps.omn"));
-    const Annotation annotation = annotate(domain, make_catalogue(domain), make_object(lamps().back().mesh, {}));
+    const auto [domain, annotation] = twin_lamp_with(text);
     ASSERT_EQ(annotation.diagnosis.size(), 1U);
     expect_sound(domain, annotation);
     Names together;
@@ -252,16 +256,15 @@ TEST(Corrections, OfARuleThatIsBrokenInTwoWays) {
 
 /// What is missing may be one of several kinds, of which the object allows one.
 TEST(Corrections, AddAPartOfTheRightKind) {
-    const std::string text = read_file(PARTONOMY_SOURCE_DIR "/ontologies/lamps.omn") +
-                             "\nClass: :Bulb\n    EquivalentTo: core:Region and (core:hasShape some core:Cube) and "
-                             "(core:hasPosition some core:Down) and (not :HoodWall)\n"
-                             "Class: :Light\n    EquivalentTo: :Bulb or :Arm\n"
-                             "Class: :Bright\n    SubClassOf: core:Object\n    EquivalentTo: :TwinLamp and "
-                             "(core:hasPart max 0 :Bulb)\n"
-                             "Class: :Dim\n    SubClassOf: core:Incompatible\n    EquivalentTo: :Bright and "
-                             "(core:hasPart max 8 :Light)\n";
-    const knowledge::Domain domain = knowledge::compile(owl::parse_ontology(text, "lamps.omn"));
-    const Annotation annotation = annotate(domain, make_catalogue(domain), make_object(lamps().back().mesh, {}));
+    const std::string text =
+        "\nClass: :Bulb\n    EquivalentTo: core:Region and (core:hasShape some core:Cube) and "
+        "(core:hasPosition some core:Down) and (not :HoodWall)\n"
+        "Class: :Light\n    EquivalentTo: :Bulb or :Arm\n"
+        "Class: :Bright\n    SubClassOf: core:Object\n    EquivalentTo: :TwinLamp and "
+        "(core:hasPart max 0 :Bulb)\n"
+        "Class: :Dim\n    SubClassOf: core:Incompatible\n    EquivalentTo: :Bright and "
+        "(core:hasPart max 8 :Light)\n";
+    const auto [domain, annotation] = twin_lamp_with(text);
     ASSERT_EQ(annotation.diagnosis.size(), 1U);
     const Diagnosis& dim = annotation.diagnosis[0];
     ASSERT_EQ(dim.counts.size(), 1U);
