@@ -58,13 +58,15 @@ int Session::add_region(Candidate candidate) {
     possible_.push_back(domain_.regions.all());
     shape_scores_.push_back(1);
     const int region = region_count() - 1;
+    std::vector<ScoredAnswer> answers;
     for (std::size_t v = 0; v < measured_.size(); ++v)
-        if (measured_[v]) read_off(region, static_cast<int>(v));
+        if (measured_[v]) read_off(region, static_cast<int>(v), answers);
+    learn_together(answers);
     return region;
 }
 
-/// Learns which value of a range scores best, or that none is likely; or between which two of its limits a number lies.
-void Session::read_off(int region, int variable) {
+/// Which value of a range scores best, or that none is likely; or between which two of its limits a number lies.
+void Session::read_off(int region, int variable, std::vector<ScoredAnswer>& answers) {
     const knowledge::Variable& about = domain_.regions.variables[index(variable)];
     const bool is_number = about.kind == knowledge::VariableKind::number;
     std::vector<std::pair<Question, double>> scores;
@@ -81,10 +83,10 @@ void Session::read_off(int region, int variable) {
     ++read_off_count;
     const auto best = std::max_element(scores.begin(), scores.end(),
                                        [](const auto& a, const auto& b) { return a.second < b.second; });
-    if (best->second >= 0.5) learn(region, best->first, true, best->second);
+    if (best->second >= 0.5) answers.push_back({{region, best->first, true}, best->second});
     if (best->second < 0.5 || is_number)
         for (const auto& [question, score] : scores)
-            if (score < 0.5) learn(region, question, false, 1 - score);
+            if (score < 0.5) answers.push_back({{region, question, false}, 1 - score});
 }
 
 Session::Candidate Session::make_candidate(PartRegion part) const {

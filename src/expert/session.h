@@ -128,7 +128,14 @@ private:
     void find_related(const knowledge::RelationTuple& line);
     const Scene& scene();
     const RegionPlace& place(int region);
-    void read_off(int region, int variable);
+    struct ScoredAnswer {
+        knowledge::Answer answer;
+        double score;
+    };
+    void read_off(int region, int variable, std::vector<ScoredAnswer>& answers);
+    /// As learn() one by one, of one region: where they contradict nothing, what is possible is found out once.
+    void learn_together(const std::vector<ScoredAnswer>& answers);
+    void note(const knowledge::Answer& answer, double score);
     /// "part 3: is it a board".
     [[nodiscard]] std::string in_words(int region, knowledge::Question question) const;
     /// Answers are likelihoods: of those of one region that contradict a new one the least certain is left out when it

@@ -34,12 +34,29 @@ void Session::learn(int region, Question question, bool yes, double score) {
         next = narrowed(possible(region), answer);
     }
     possible_[index(region)] = std::move(next);
+    note(answer, score);
+}
+
+void Session::note(const Answer& answer, double score) {
     answers_.push_back(answer);
     answer_scores_.push_back(score);
-    if (domain_.regions.variables[static_cast<std::size_t>(question.variable)].iri == shape_iri) {
-        double& shape_score = shape_scores_[index(region)];
-        shape_score = yes ? score : std::min(shape_score, score);
+    if (domain_.regions.variables[index(answer.question.variable)].iri == shape_iri) {
+        double& shape_score = shape_scores_[index(answer.region)];
+        shape_score = answer.yes ? score : std::min(shape_score, score);
     }
+}
+
+void Session::learn_together(const std::vector<ScoredAnswer>& answers) {
+    if (answers.empty()) return;
+    const int region = answers.front().answer.region;
+    ConfigurationSet next = possible(region);
+    for (const auto& [answer, score] : answers) next = narrowed(std::move(next), answer);
+    if (next.is_empty()) {
+        for (const auto& [answer, score] : answers) learn(region, answer.question, answer.yes, score);
+        return;
+    }
+    possible_[index(region)] = std::move(next);
+    for (const auto& [answer, score] : answers) note(answer, score);
 }
 
 ConfigurationSet Session::narrowed(ConfigurationSet set, const knowledge::Answer& answer) const {
