@@ -192,11 +192,13 @@ void name_by_relations(Session& session, SplitCriterion criterion) {
         grown = false;
         askable.put_off.clear();
         for (askable.region = 0; askable.region < session.region_count(); ++askable.region)
-            while (const auto question = next_question()) {
-                if (session.ask(askable.region, *question))
+            while (const auto question =
+                       next_question()) {  // one of each region in turn: what others are is known then
+                if (session.ask(askable.region, *question)) {
                     grown = true;
-                else
-                    askable.put_off.emplace(askable.region, *question);
+                    break;
+                }
+                askable.put_off.emplace(askable.region, *question);
             }
     }
 }
