@@ -149,7 +149,7 @@ void print_answers(const json& diagnosis) {
     print_list("answers that lead to it", json(std::vector<json>(answers.begin(), end)));
     std::vector<std::string> names;
     for (const json& each : given) names.push_back(with_article(each.get<std::string>()));
-    print_list(fmt::format("answers by which {} is {}", "it", fmt::join(names, " and ")).c_str(),
+    print_list(fmt::format("answers by which it is {}", fmt::join(names, " and ")).c_str(),
                json(std::vector<json>(end, answers.end())));
 }
 

@@ -6,9 +6,9 @@
  *
  * - section spread: in each slice the points' distances from the slice's middle, scaled so that an ellipse becomes a
  *   circle, are averaged by direction; the value is the standard deviation of these means over their mean. Averages
- *   keep noise out, so of a coarse mesh, whose edges go where its noise is taken out, the points are those of the mesh
- * as it is; slices keep bends and tapers out. A circle has 0, a pentagon 0.06, a square 0.1, a triangle 0.2. Of a board
- * it is the outline that counts, of a block the roundest of its axes.
+ *   keep noise out, so of a coarse mesh, whose edges go where its noise is taken out, the points are on the mesh as it
+ *   is; slices keep bends and tapers out. A circle has 0, a pentagon 0.06, a square 0.1, a triangle 0.2. Of a board it
+ *   is the outline that counts, of a block the roundest of its axes.
  * - taper: root of the mean squared distance from the middle of the slice, near both ends: smaller over larger.
  * - bend: how far the middles of the slices leave their best straight line, over the length. Of a board across its
  *   thickness; in its plane, and of a block, only where both borders of the outline bow the same way, as those of an

@@ -124,11 +124,7 @@ std::vector<LearnedAnswer> learned_answers(Session& session, const knowledge::Kn
 /// What was not needed to tell what the object is, and what explains why it is nothing, or impossible.
 void ask_for_explanations(Session& session) {
     const Conclusions known = conclude(session.domain(), session.knowledge());
-    const bool is_something = std::ranges::any_of(entailed(*known.objects, known.object), [&](ConceptId c) {
-        const auto& concept_ = known.objects->concepts[static_cast<std::size_t>(c)];
-        return !concept_.incompatible && !concept_.iri.starts_with(owl::core_prefix);
-    });
-    if (!is_something && !known.contradiction && session.is_told_in_numbers()) ask_what_objects_count(session);
+    if (!is_recognised(known) && !known.contradiction && session.is_told_in_numbers()) ask_what_objects_count(session);
     ask_what_rules_rest_on(session);
 }
 

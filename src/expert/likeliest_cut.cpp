@@ -16,7 +16,6 @@
 namespace partonomy {
 namespace {
 
-using knowledge::ConceptId;
 using knowledge::Conclusions;
 using knowledge::Domain;
 using owl::Iri;
@@ -66,10 +65,7 @@ Verdict verdict_of(const Session& session, const Cut& cut) {
                                           naming.certainty * fuzzy_membership(session, region)};
     }
     verdict.is_consistent = !known.contradiction && known.diagnoses.empty();
-    verdict.is_recognised = std::ranges::any_of(entailed(*known.objects, known.object), [&](ConceptId c) {
-        const auto& concept_ = known.objects->concepts[static_cast<std::size_t>(c)];
-        return !concept_.incompatible && !concept_.iri.starts_with(owl::core_prefix);
-    });
+    verdict.is_recognised = is_recognised(known);
     return verdict;
 }
 

@@ -151,6 +151,13 @@ void tell_nearest_names(const Session& session, const knowledge::Knowledge& know
     }
 }
 
+bool is_recognised(const Conclusions& known) {
+    return std::ranges::any_of(entailed(*known.objects, known.object), [&](ConceptId c) {
+        const auto& concept_ = known.objects->concepts[static_cast<std::size_t>(c)];
+        return !concept_.incompatible && !concept_.iri.starts_with(owl::core_prefix);
+    });
+}
+
 std::vector<NearClass> nearest_classes(const Domain& domain, const Conclusions& assumed,
                                        const std::vector<Iri>& classes) {
     constexpr std::size_t most = 3;

@@ -49,6 +49,9 @@ void name_by_wholes(const knowledge::Domain& domain, const knowledge::Conclusion
 /// Tells of each part without a name which one it came nearest to, and what refuses it.
 void tell_nearest_names(const Session& session, const knowledge::Knowledge& knowledge, Annotation& annotation);
 
+/// Whether the object is something that the ontology names and that is no diagnosis.
+[[nodiscard]] bool is_recognised(const knowledge::Conclusions& known);
+
 /// What an object comes nearest to, at most three classes, unless it is something that is no diagnosis.
 [[nodiscard]] std::vector<NearClass> nearest_classes(const knowledge::Domain& domain,
                                                      const knowledge::Conclusions& assumed,

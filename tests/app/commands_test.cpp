@@ -390,22 +390,25 @@ const char* const lying_bar =
     "OFF\n8 6 0\n0 0 0\n1 0 0\n1 .1 0\n0 .1 0\n0 0 .1\n1 0 .1\n1 .1 .1\n0 .1 .1\n"
     "4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
 
-/// A lying stick where posts stand: what was measured of it, and what it would be.
-TEST(Explain, SaysWhatWasMeasuredAndWhatRefusesTheNearestName) {
-    const TemporaryFolder folder;
-    folder.write("posts.omn", R"(Prefix: : <http://example.org/posts#>
+/// Fences, which have posts.
+const std::string fence = R"(Prefix: : <http://example.org/posts#>
 Prefix: core: <https://w3id.org/partonomy/core#>
 Ontology: <http://example.org/posts>
     Import: <https://w3id.org/partonomy/core>
-Class: :Post
+Class: :Fence
+    SubClassOf: core:Object
+    EquivalentTo: core:Object and (core:hasPart some :Post)
+)";
+
+/// A lying stick where posts stand: what was measured of it, and what it would be.
+TEST(Explain, SaysWhatWasMeasuredAndWhatRefusesTheNearestName) {
+    const TemporaryFolder folder;
+    folder.write("posts.omn", fence + R"(Class: :Post
     SubClassOf: core:Region
     EquivalentTo: core:Region and (core:hasShape some core:Stick) and (core:hasOrientation some core:Vertical)
 Class: :Plate
     SubClassOf: core:Region
     EquivalentTo: core:Region and (core:hasShape some core:Board) and (core:hasOrientation some core:Vertical)
-Class: :Fence
-    SubClassOf: core:Object
-    EquivalentTo: core:Object and (core:hasPart some :Post)
 )");
     folder.write("bar.off", lying_bar);
     EXPECT_EQ(run_partonomy({"annotate", "bar.off", "--ontology", "posts.omn", "-o", "out"}, folder.path()).exit_code,
@@ -426,11 +429,7 @@ Class: :Fence
 /// A post that must be near a plate where there is none: it would be a Post all the same, and it is said why not.
 TEST(Explain, SaysThatNobodyIsOnTheOtherSide) {
     const TemporaryFolder folder;
-    folder.write("posts.omn", R"(Prefix: : <http://example.org/posts#>
-Prefix: core: <https://w3id.org/partonomy/core#>
-Ontology: <http://example.org/posts>
-    Import: <https://w3id.org/partonomy/core>
-Class: :Ball
+    folder.write("posts.omn", fence + R"(Class: :Ball
     SubClassOf: core:Region
     EquivalentTo: core:Region and (core:hasShape some core:Cube)
 Class: :Plate
@@ -440,9 +439,6 @@ Class: :Post
     SubClassOf: core:Region
     EquivalentTo: core:Region and (core:hasShape some core:Stick) and (core:hasOrientation some core:Horizontal)
         and (core:isTargetRegion some (core:Close and (inverse (core:isReferenceRegion) some :Plate)))
-Class: :Fence
-    SubClassOf: core:Object
-    EquivalentTo: core:Object and (core:hasPart some :Post)
 )");
     folder.write("bar.off", lying_bar);
     EXPECT_EQ(run_partonomy({"annotate", "bar.off", "--ontology", "posts.omn", "-o", "out"}, folder.path()).exit_code,
